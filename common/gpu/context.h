@@ -1,0 +1,38 @@
+#pragma once
+// An OpenGL 4.5 core context. GPU objects are created from one that is passed in and are gone before it.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace eikonal::gpu {
+
+/// What the device allows, read once when the context is made.
+struct DeviceLimits {
+    std::size_t maxStorageBlockBytes = 0;
+    int maxTexture3dSize = 0;
+    bool exactLinearFiltering = true;  ///< false: the texture unit weights with fewer bits than a float; filter by hand
+};
+
+class Context {
+public:
+    /// A context without a window: EGL on a hardware device, then surfaceless, then any device, then the default display.
+    /// Throws Error(kNoDevice) that says what was found when none gives OpenGL 4.5 core.
+    static Context windowless();
+
+    Context(Context&&) noexcept;
+    Context& operator=(Context&&) noexcept;
+    ~Context();
+
+    const DeviceLimits& limits() const;
+    std::string rendererName() const;  ///< GL_RENDERER and version
+    /// Throws Error(kFailure) with the messages if the debug callback has seen a GL error since the last call.
+    void throwIfError() const;
+
+private:
+    struct Impl;
+    explicit Context(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace eikonal::gpu

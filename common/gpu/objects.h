@@ -1,0 +1,115 @@
+#pragma once
+// Move-only GPU objects: direct state access, immutable storage, a debug label each. Each needs the context that it was
+// created from to be current and alive until it is gone.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <epoxy/gl.h>
+#include <glm/glm.hpp>
+
+#include "common/gpu/context.h"
+
+namespace eikonal::gpu {
+
+/// A buffer of fixed size, usable as storage or uniform block or as source of indirect dispatches.
+class Buffer {
+public:
+    Buffer(const Context& context, std::size_t bytes, std::string_view label);
+    Buffer(Buffer&& other) noexcept;
+    Buffer& operator=(Buffer&& other) noexcept;
+    ~Buffer();
+
+    std::size_t bytes() const { return bytes_; }
+    GLuint name() const { return name_; }
+    void uploadBytes(std::size_t offset, const void* data, std::size_t bytes);
+    void downloadBytes(std::size_t offset, void* data, std::size_t bytes) const;
+    /// Fills the whole buffer with a 32-bit value.
+    void fill(std::uint32_t value);
+    void bindStorage(GLuint binding) const;
+    void bindUniform(GLuint binding) const;
+
+    template <class T>
+    void upload(std::span<const T> values) { uploadBytes(0, values.data(), values.size_bytes()); }
+    template <class T>
+    void upload(const T& value) { uploadBytes(0, &value, sizeof value); }
+    template <class T>
+    std::vector<T> download(std::size_t count) const {
+        std::vector<T> values(count);
+        downloadBytes(0, values.data(), count * sizeof(T));
+        return values;
+    }
+
+private:
+    GLuint name_ = 0;
+    std::size_t bytes_ = 0;
+};
+
+enum class TexelFormat { kR8, kRgba32f, kR32f };
+
+/// A 3D texture with one level, linear filtering and clamped edges. Throws badInput if the size is beyond the device.
+class Texture3D {
+public:
+    Texture3D(const Context& context, TexelFormat format, const glm::ivec3& size, std::string_view label);
+    Texture3D(Texture3D&& other) noexcept;
+    Texture3D& operator=(Texture3D&& other) noexcept;
+    ~Texture3D();
+
+    /// Tightly packed texels of the texture's own format (R8: bytes, others: floats), x fastest.
+    void upload(const void* texels);
+    void bind(GLuint unit) const;
+    GLuint name() const { return name_; }
+    std::size_t bytes() const;
+    const std::string& label() const { return label_; }
+
+private:
+    GLuint name_ = 0;
+    TexelFormat format_{};
+    glm::ivec3 size_{0};
+    std::string label_;
+};
+
+/// A 2D texture with one level, linear filtering; repeats along u, clamps along v (latitude-longitude maps).
+class Texture2D {
+public:
+    Texture2D(const Context& context, TexelFormat format, const glm::ivec2& size, std::string_view label);
+    Texture2D(Texture2D&& other) noexcept;
+    Texture2D& operator=(Texture2D&& other) noexcept;
+    ~Texture2D();
+
+    void upload(const void* texels);
+    void bind(GLuint unit) const;
+    GLuint name() const { return name_; }
+    std::size_t bytes() const;
+    const std::string& label() const { return label_; }
+
+private:
+    GLuint name_ = 0;
+    TexelFormat format_{};
+    glm::ivec2 size_{0};
+    std::string label_;
+};
+
+/// A compute kernel compiled from shaders/ with a set of #defines. A compile error is a broken program: std::logic_error
+/// with the log.
+class Kernel {
+public:
+    Kernel(const Context& context, std::string_view shaderName, const std::vector<std::string>& defines);
+    Kernel(Kernel&& other) noexcept;
+    Kernel& operator=(Kernel&& other) noexcept;
+    ~Kernel();
+
+    void dispatch(const glm::uvec3& groups) const;
+    /// Groups from three 32-bit words at `offset`; the caller has issued the command barrier.
+    void dispatchIndirect(const Buffer& arguments, std::size_t offset) const;
+    GLuint name() const { return name_; }
+
+private:
+    GLuint name_ = 0;
+};
+
+} // namespace eikonal::gpu

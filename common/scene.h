@@ -1,0 +1,145 @@
+#pragma once
+// What a scene file says (docs/scene.md), with its defaults. Plain data: parsed by scene_toml, composed by fields.
+// Lengths in scene units, angles in degrees, colours linear Rec.709.
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace eikonal {
+
+/// Where a value stands in a scene file; line 0: a default, or given on the command line.
+struct SourcePosition {
+    std::string file;
+    int line = 0;
+    int column = 0;
+};
+
+/// A number or an expression in x, y, z, r, one per band: `0.4`, `[0.1, 0.8, 0.9]`, `"1 + 0.1*exp(-y)"`.
+struct Quantity {
+    glm::dvec3 constant{0.0};
+    std::optional<std::string> expression;  ///< when set, `constant` is unused; the same value for all bands
+    SourcePosition where;
+
+    bool isConstant() const { return !expression; }
+    bool isZero() const { return isConstant() && constant == glm::dvec3(0.0); }
+};
+
+struct Domain {
+    glm::dvec3 min{-1.0};
+    glm::dvec3 max{1.0};
+    int resolution = 128;         ///< voxels along the longest side
+    double smoothVoxels = 1.5;    ///< width b of objects' boundaries
+    Quantity ior{.constant = glm::dvec3(1.0), .expression = std::nullopt, .where = {}};
+};
+
+struct Medium {
+    Quantity scattering, absorption;  ///< per scene unit
+    double anisotropy = 0.0;          ///< Henyey-Greenstein g
+};
+
+/// Where the shape of an object comes from.
+struct SphereShape { double radius = 0.5; };
+struct BoxShape { glm::dvec3 size{1.0}; };
+struct RoundedBoxShape { glm::dvec3 size{1.0}; double radius = 0.1; };
+struct CylinderShape { double radius = 0.5, height = 1.0; };   ///< axis y
+struct TorusShape { double radius = 0.5, tube = 0.15; };       ///< axis y
+struct PrismShape { double side = 1.0, height = 1.0; };        ///< equilateral triangle in xy, extruded along z
+struct Checker { glm::dvec3 a{0.8}, b{0.2}; double cell = 0.25; };
+struct PlaneShape { glm::dvec2 size{2.0}; std::optional<Checker> checker; };  ///< horizontal, solid below y = 0
+struct WineGlassShape { double height = 1.5; };
+struct FieldShape { glm::dvec3 size{2.0}; };                   ///< no boundary: constants are expressions over its box
+struct MeshShape { std::filesystem::path file; };
+struct VolumeShape {
+    std::filesystem::path file;
+    std::map<std::string, std::string> grids;  ///< our name -> name in the file
+};
+using Shape = std::variant<SphereShape, BoxShape, RoundedBoxShape, CylinderShape, TorusShape, PrismShape, PlaneShape,
+                           WineGlassShape, FieldShape, MeshShape, VolumeShape>;
+
+struct Object {
+    std::string name;
+    Shape shape;
+    Quantity ior{.constant = glm::dvec3(1.0), .expression = std::nullopt, .where = {}};
+    double cauchyB = 0.0;  ///< [µm²]
+    Quantity absorption, scattering, anisotropy, emission;
+    bool opaque = false;
+    glm::dvec3 albedo{0.8};
+    std::optional<double> smoothVoxels;  ///< boundary width; 0: by area; unset: the domain's (the grid's own for volumes)
+    std::optional<int> resolution;
+    glm::dvec3 translate{0.0}, rotate{0.0};
+    double scale = 1.0;
+    SourcePosition where;
+
+    glm::dmat4 worldFromLocal() const;  ///< translate · Rz Ry Rx · scale
+};
+
+struct DirectionalLight {
+    glm::dvec3 direction{1.0, 0.0, 0.0};  ///< of travel, unit
+    glm::dvec3 irradiance{1.0};           ///< power per unit area across the beam
+};
+struct PointLight {
+    glm::dvec3 position{0.0, 2.0, 0.0};
+    glm::dvec3 power{10.0};  ///< isotropic
+};
+using Light = std::variant<DirectionalLight, PointLight>;
+
+struct Camera {
+    glm::dvec3 position{0.0, 0.0, 4.0}, lookAt{0.0}, up{0.0, 1.0, 0.0};
+    double fov = 35.0;  ///< vertical [degrees]
+};
+
+struct Environment {
+    std::optional<std::filesystem::path> image;  ///< latitude-longitude, +Y up, centre +Z, +X at u = 0.25
+    std::array<glm::dvec3, 2> gradient{glm::dvec3(0.85, 0.9, 1.0), glm::dvec3(0.25, 0.45, 0.85)};  ///< horizon, zenith
+    double rotate = 0.0;
+    double intensity = 1.0;
+    bool bake = false;
+};
+
+enum class Integrator { kAuto, kEuler, kLeapfrog, kRk4, kSharma };
+enum class Interpolation { kAuto, kLinear, kCubic };
+enum class Deposit { kAuto, kSplat, kCells, kPeak };
+enum class Directional { kAuto, kMean, kLobes };
+
+struct Accuracy {
+    double tolerance = 0.02;
+    Integrator integrator = Integrator::kAuto;
+    Interpolation interpolation = Interpolation::kAuto;
+    std::optional<double> stepVoxels;  ///< unset: auto
+    Deposit deposit = Deposit::kAuto;
+    Directional directional = Directional::kAuto;
+    int reflections = 0;
+    int bands = 3;
+};
+
+enum class ToneMap { kAgx, kReinhard, kNone };
+
+struct RenderSettings {
+    glm::ivec2 size{800, 600};
+    int samples = 1;
+    double exposureEv = 0.0;
+    ToneMap toneMap = ToneMap::kAgx;
+    std::optional<std::vector<std::string>> effects;  ///< unset: auto; else the names allowed
+};
+
+struct Scene {
+    std::string source;              ///< the file as the user named it
+    std::filesystem::path folder;    ///< relative paths start here
+    Domain domain;
+    Medium medium;
+    std::vector<Object> objects;
+    std::vector<Light> lights;
+    Camera camera;
+    Environment environment;
+    Accuracy accuracy;
+    RenderSettings render;
+};
+
+} // namespace eikonal

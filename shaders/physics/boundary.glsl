@@ -1,0 +1,72 @@
+// One Fresnel term per crossing of a smoothed interface (docs/physics.md, section 4).
+// A piece of the interface band is followed from the index on one side to the index on the other. It ends where the band
+// ends, where grad n turns round (the other wall of something thin), or on the plateau between two steps. A ray that
+// leaves on the side it came from was totally reflected, by refraction alone: it loses nothing.
+
+struct Crossing {
+    real3 normal;       // unit, along grad n where |grad n| was largest
+    real gradMax;       // largest |grad n| of the piece [1 / scene unit]; 0: not crossing
+    real nStart;        // index where the piece began
+    real nLast;         // index at the last sample
+    real wTangential;   // |w| along the interface where |grad n| was largest
+    real sideAtStart;   // +1: towards the denser side, -1: towards the thinner
+};
+
+// |grad n| below this share of the piece's largest is a plateau: an erfc step is flatter than that only beyond 2.8 b,
+// where less than 0.3 % of the step is left.
+const real kPlateau = 0.02;
+
+Crossing crossingNone(real n) {
+    Crossing none;
+    none.normal = real3(0.0, 0.0, 0.0);
+    none.gradMax = 0.0;
+    none.nStart = n;
+    none.nLast = n;
+    none.wTangential = 0.0;
+    none.sideAtStart = 0.0;
+    return none;
+}
+
+bool crossingEnds(Crossing crossing, bool inBand, real3 gradN) {
+    return crossing.gradMax > 0.0 &&
+           (!inBand || dot(gradN, crossing.normal) < kPlateau * crossing.gradMax);
+}
+
+// Transmittance of the piece that ends with wave vector w at index n.
+Polarised crossingTransmittance(Crossing crossing, real3 w, real n) {
+    Polarised transmittance;
+    transmittance.s = 1.0;
+    transmittance.p = 1.0;
+    if (dot(w, crossing.normal) * crossing.sideAtStart > 0.0) {
+        Polarised reflectance = fresnelReflectance(crossing.nStart, n, crossing.wTangential);
+        transmittance.s = 1.0 - reflectance.s;
+        transmittance.p = 1.0 - reflectance.p;
+    }
+    return transmittance;
+}
+
+// The crossing after a sample (w, n, grad n), which is inside the band or not.
+Crossing crossingAfter(Crossing crossing, bool inBand, real3 w, real n, real3 gradN) {
+    Crossing next = crossing;
+    real magnitude = length(gradN);
+    if (crossingEnds(crossing, inBand, gradN)) {
+        next = crossingNone(crossing.nLast);
+    }
+    if (inBand && magnitude > next.gradMax) {
+        if (next.gradMax == 0.0) {
+            next.nStart = next.nLast;
+            next.sideAtStart = dot(w, gradN) >= 0.0 ? 1.0 : -1.0;
+        }
+        next.normal = gradN / magnitude;
+        next.gradMax = magnitude;
+        real along = dot(w, next.normal);
+        next.wTangential = sqrt(max(dot(w, w) - along * along, 0.0));
+    }
+    next.nLast = n;
+    return next;
+}
+
+// Index on the far side of the piece that ends at a sample of index n: beyond the band the sample's own, else the last.
+real crossingEndIndex(Crossing crossing, bool inBand, real n) {
+    return inBand ? crossing.nLast : n;
+}
