@@ -1,0 +1,45 @@
+#pragma once
+// A closed mesh to an index field: coverage by signed distance (docs/physics.md, 2).
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/lattice.h"
+#include "common/mesh.h"
+
+namespace eikonal {
+
+struct VoxelizeOptions {
+    double ior = 1.5;                 ///< refractive index inside
+    int resolution = 128;             ///< voxels along the mesh's longest side, without padding; unused with voxelSize
+    std::optional<double> voxelSize;  ///< [mesh units]
+    double smoothVoxels = 1.5;        ///< width b of the boundary; 0: coverage by area
+    std::optional<glm::dvec3> absorption;  ///< [1 / mesh unit], per band
+    int paddingVoxels = 6;            ///< empty voxels around the mesh: the boundary fades out over 4 b
+};
+
+/// An index field and what the user should hear about it.
+struct VoxelizedMesh {
+    Lattice lattice;
+    DenseGrid<float> ior;
+    DenseGrid<glm::vec3> absorption;  ///< empty unless asked for
+    double meshVolume = 0.0;          ///< divergence theorem
+    double voxelizedVolume = 0.0;
+    WallThickness walls;
+    std::vector<std::string> warnings;
+};
+
+/// Coverage of a boundary of width b around the surface: erfc(d / (sqrt 2 b)) / 2; b = 0: by area within a voxel.
+/// `distance` and `b` in the same unit; `voxel` is used where b = 0.
+double coverageFromDistance(double distance, double b, double voxel);
+
+/// Throws Error kUsage for options out of range, badInput for a mesh that encloses no volume.
+VoxelizedMesh voxelize(const Mesh& closedMesh, const VoxelizeOptions& options);
+
+/// Writes grids `ior` (background 1) and, where present, `absorption`, with the options as metadata.
+void writeVoxelized(const std::filesystem::path& path, const VoxelizedMesh& result, const VoxelizeOptions& options,
+                    const std::string& source);
+
+} // namespace eikonal
