@@ -14,11 +14,15 @@ struct DeviceLimits {
     bool exactLinearFiltering = true;  ///< false: the texture unit weights with fewer bits than a float; filter by hand
 };
 
+struct ContextOptions {
+    bool forceManualFiltering = false;  ///< behave as on a device whose linear filtering is not exact
+};
+
 class Context {
 public:
     /// A context without a window: EGL on a hardware device, then surfaceless, then any device, then the default display.
     /// Throws Error(kNoDevice) that says what was found when none gives OpenGL 4.5 core.
-    static Context windowless();
+    static Context windowless(const ContextOptions& options = {});
 
     Context(Context&&) noexcept;
     Context& operator=(Context&&) noexcept;

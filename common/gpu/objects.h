@@ -16,7 +16,7 @@
 
 namespace eikonal::gpu {
 
-/// A buffer of fixed size, usable as storage or uniform block or as source of indirect dispatches.
+/// A buffer of fixed size (0 is allowed), usable as storage or uniform block or as source of indirect dispatches.
 class Buffer {
 public:
     Buffer(const Context& context, std::size_t bytes, std::string_view label);
@@ -103,8 +103,9 @@ public:
     Kernel& operator=(Kernel&& other) noexcept;
     ~Kernel();
 
+    /// Ends with a barrier: whatever it wrote is visible to what follows, dispatches, indirect arguments and downloads.
     void dispatch(const glm::uvec3& groups) const;
-    /// Groups from three 32-bit words at `offset`; the caller has issued the command barrier.
+    /// The same with the groups from three 32-bit words at `offset`.
     void dispatchIndirect(const Buffer& arguments, std::size_t offset) const;
     GLuint name() const { return name_; }
 

@@ -1,0 +1,54 @@
+#include "common/gpu/objects.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace eikonal::gpu {
+
+namespace {
+
+// OpenGL has no buffer of size 0; one word stands for it.
+constexpr std::size_t kSmallestBytes = 16;
+
+} // namespace
+
+Buffer::Buffer(const Context&, std::size_t bytes, std::string_view label) : bytes_(bytes) {
+    glCreateBuffers(1, &name_);
+    glNamedBufferStorage(name_, GLsizeiptr(std::max(bytes, kSmallestBytes)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glObjectLabel(GL_BUFFER, name_, GLsizei(label.size()), label.data());
+}
+
+Buffer::Buffer(Buffer&& other) noexcept : name_(std::exchange(other.name_, 0)), bytes_(std::exchange(other.bytes_, 0)) {}
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+    std::swap(name_, other.name_);
+    std::swap(bytes_, other.bytes_);
+    return *this;
+}
+
+Buffer::~Buffer() {
+    if (name_) glDeleteBuffers(1, &name_);
+}
+
+void Buffer::uploadBytes(std::size_t offset, const void* data, std::size_t bytes) {
+    assert(offset + bytes <= bytes_);
+    if (bytes == 0) return;
+    glNamedBufferSubData(name_, GLintptr(offset), GLsizeiptr(bytes), data);
+}
+
+void Buffer::downloadBytes(std::size_t offset, void* data, std::size_t bytes) const {
+    assert(offset + bytes <= bytes_);
+    if (bytes == 0) return;
+    glGetNamedBufferSubData(name_, GLintptr(offset), GLsizeiptr(bytes), data);
+}
+
+void Buffer::fill(std::uint32_t value) {
+    glClearNamedBufferData(name_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &value);
+}
+
+void Buffer::bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name_); }
+
+void Buffer::bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name_); }
+
+} // namespace eikonal::gpu

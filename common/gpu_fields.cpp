@@ -1,0 +1,80 @@
+#include "common/gpu_fields.h"
+
+#include <stdexcept>
+
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/domain_block.h"
+
+namespace eikonal {
+
+namespace {
+
+gpu::Buffer domainBuffer(const gpu::Context& context, const Fields& fields) {
+    gpu::DomainBlock block{};
+    block.domainMin = glm::vec3(fields.lattice.min);
+    block.domainVoxel = float(fields.lattice.voxel);
+    block.domainMax = glm::vec3(fields.lattice.max());
+    block.domainIor = fields.iorUniform;
+    block.domainScale = glm::vec3(1.0 / fields.lattice.extent());
+    block.domainSize = fields.lattice.size;
+    gpu::Buffer buffer(context, sizeof block, "domain");
+    buffer.upload(block);
+    return buffer;
+}
+
+template <class Value>
+void require(const DenseGrid<Value>& grid, std::string_view name) {
+    if (grid.empty()) throw std::logic_error("an effect is on whose grid is missing: " + std::string(name));
+}
+
+gpu::Texture3D interfaceTexture(const gpu::Context& context, const DenseGrid<unsigned char>& band) {
+    gpu::Texture3D texture(context, gpu::TexelFormat::kR8, band.size, "interface");
+    texture.upload(band.values.data());
+    return texture;
+}
+
+} // namespace
+
+gpu::Texture3D colourTexture(const gpu::Context& context, const DenseGrid<glm::vec3>& grid,
+                             const DenseGrid<float>& alpha, std::string_view label) {
+    gpu::Texture3D texture(context, gpu::TexelFormat::kRgba32f, grid.size, label);
+    std::vector<glm::vec4> texels(grid.values.size());
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        texels[i] = glm::vec4(grid.values[i], alpha.empty() ? 0.0f : alpha.values[i]);
+    }
+    texture.upload(texels.data());
+    return texture;
+}
+
+GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects)
+    : domain_(domainBuffer(context, fields)), defines_(effects.defines()) {
+    if (!context.limits().exactLinearFiltering) defines_.push_back("MANUAL_FILTERING");
+    const auto add = [&](Effect effect, int unit, std::string_view label, const DenseGrid<glm::vec3>& grid,
+                         const DenseGrid<float>& alpha) {
+        if (!effects.has(effect)) return;
+        require(grid, label);
+        textures_.push_back({unit, colourTexture(context, grid, alpha, label)});
+    };
+    add(Effect::kRefraction, gpu::kUnitOptics, "optics", fields.iorGradient, fields.ior);
+    if (effects.has(Effect::kReflection)) {
+        require(fields.interface, "interface");
+        textures_.push_back({gpu::kUnitInterface, interfaceTexture(context, fields.interface)});
+    }
+    add(Effect::kAbsorption, gpu::kUnitSigmaA, "sigma_a", fields.sigmaA, {});
+    add(Effect::kScattering, gpu::kUnitSigmaS, "sigma_s", fields.sigmaS, fields.anisotropy);
+    add(Effect::kEmission, gpu::kUnitEmission, "emission", fields.emission, {});
+    add(Effect::kOpaque, gpu::kUnitOpaque, "opaque", fields.albedo, fields.opaque);
+}
+
+void GpuFields::bind() const {
+    domain_.bindUniform(gpu::kUniformDomain);
+    for (const auto& bound : textures_) bound.texture.bind(GLuint(bound.unit));
+}
+
+std::vector<std::pair<std::string, std::size_t>> GpuFields::textures() const {
+    std::vector<std::pair<std::string, std::size_t>> rows;
+    for (const auto& bound : textures_) rows.emplace_back(bound.texture.label(), bound.texture.bytes());
+    return rows;
+}
+
+} // namespace eikonal

@@ -1,0 +1,43 @@
+#pragma once
+// The fields of a scene as textures: exactly those that its effects need (shaders/fields/fields.glsl reads them).
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/effects.h"
+#include "common/fields.h"
+#include "common/gpu/objects.h"
+
+namespace eikonal {
+
+class GpuFields {
+public:
+    /// Uploads the grids of every effect that is on. Throws badInput for a lattice beyond the device's 3D textures,
+    /// std::logic_error for an effect whose grid is missing.
+    GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects);
+
+    /// Binds textures and the domain block to the units of shaders/shared/bindings.h.
+    void bind() const;
+    /// What kernels that include fields/fields.glsl are compiled with: the effects, and how textures are filtered.
+    const std::vector<std::string>& defines() const { return defines_; }
+    /// Name and bytes of each texture, for the statistics.
+    std::vector<std::pair<std::string, std::size_t>> textures() const;
+
+private:
+    struct BoundTexture {
+        int unit;
+        gpu::Texture3D texture;
+    };
+
+    gpu::Buffer domain_;
+    std::vector<std::string> defines_;
+    std::vector<BoundTexture> textures_;
+};
+
+/// Uploads a vec3 grid as an RGBA texture; alpha is the matching value of `alpha`, or 0 where that is empty.
+gpu::Texture3D colourTexture(const gpu::Context& context, const DenseGrid<glm::vec3>& grid,
+                             const DenseGrid<float>& alpha, std::string_view label);
+
+} // namespace eikonal

@@ -1,0 +1,66 @@
+// The optical constants of the scene at a world position. Only what an effect asks for has a texture.
+#include "fields/trilinear.glsl"
+
+struct Optics {
+    float n;
+    vec3 gradN;  // [1 / scene unit]
+};
+
+#ifdef EFFECT_REFRACTION
+layout(binding = kUnitOptics) uniform sampler3D opticsGrid;
+
+Optics sampleOptics(vec3 x) {
+    vec4 texel = sampleGrid(opticsGrid, x);
+    return Optics(texel.a, texel.rgb);
+}
+#else
+Optics sampleOptics(vec3 x) {
+    return Optics(domainIor, vec3(0.0));
+}
+#endif
+
+#ifdef EFFECT_REFLECTION
+layout(binding = kUnitInterface) uniform sampler3D interfaceGrid;
+
+// Whether the voxel that x lies in belongs to the band of a boundary.
+bool inInterface(vec3 x) {
+    ivec3 index = ivec3(floor((x - domainMin) / domainVoxel));
+    return texelFetch(interfaceGrid, clamp(index, ivec3(0), domainSize - 1), 0).r > 0.5;
+}
+#endif
+
+#ifdef EFFECT_ABSORPTION
+layout(binding = kUnitSigmaA) uniform sampler3D sigmaAGrid;
+
+// Absorption [1 / scene unit].
+vec3 sampleSigmaA(vec3 x) {
+    return sampleGrid(sigmaAGrid, x).rgb;
+}
+#endif
+
+#ifdef EFFECT_SCATTERING
+layout(binding = kUnitSigmaS) uniform sampler3D sigmaSGrid;
+
+// Scattering in rgb [1 / scene unit], Henyey-Greenstein g in alpha.
+vec4 sampleSigmaS(vec3 x) {
+    return sampleGrid(sigmaSGrid, x);
+}
+#endif
+
+#ifdef EFFECT_EMISSION
+layout(binding = kUnitEmission) uniform sampler3D emissionGrid;
+
+// Radiance per scene unit.
+vec3 sampleEmission(vec3 x) {
+    return sampleGrid(emissionGrid, x).rgb;
+}
+#endif
+
+#ifdef EFFECT_OPAQUE
+layout(binding = kUnitOpaque) uniform sampler3D opaqueGrid;
+
+// Albedo in rgb, coverage by opaque matter in alpha.
+vec4 sampleOpaque(vec3 x) {
+    return sampleGrid(opaqueGrid, x);
+}
+#endif

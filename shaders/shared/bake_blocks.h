@@ -1,0 +1,160 @@
+// Structs, binding points and workgroup sizes of the bake, read by GLSL (std430 / std140) and by C++.
+// Lengths in scene units, optical path t in scene units, powers per band.
+
+#ifdef __cplusplus
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+namespace eikonal::bake {
+using uint = std::uint32_t;
+using glm::uvec3;
+using glm::vec2;
+using glm::vec3;
+#endif
+
+#define BAKE_GROUP_SIZE 64
+
+#define BAKE_PATCHES_BINDING 0
+#define BAKE_QUEUE_BINDING 1
+#define BAKE_FRAMES_BINDING 2   // emit and refine
+#define BAKE_RECORDS_BINDING 3  // emit and refine
+#define BAKE_LEDGER_BINDING 4   // emit and refine
+#define BAKE_FLUX_BINDING 2        // deposit: flux along x, y, z at 2, 3, 4
+#define BAKE_IRRADIANCE_BINDING 5  // deposit: bands at 5, 6, 7
+#define BAKE_SETTINGS_BINDING 1    // uniform block
+
+// What a corner particle is doing.
+#define PARTICLE_WAITING 0u  // on its straight way to the domain
+#define PARTICLE_INSIDE 1u
+#define PARTICLE_EXITED 2u   // left the domain; not yet in the ledger
+#define PARTICLE_BLOCKED 3u  // hit opaque matter; not yet in the ledger
+#define PARTICLE_GONE 4u     // left, blocked or missed the domain, and in the ledger if it had power
+
+// Rows of the energy ledger; each holds three bands.
+#define LEDGER_ENTERED 0
+#define LEDGER_ABSORBED 1
+#define LEDGER_OPAQUE 2
+#define LEDGER_SCATTERED 3
+#define LEDGER_EXITED 4
+#define LEDGER_REFLECTED 5
+#define LEDGER_CULLED 6
+#define LEDGER_ROWS 7
+
+// A launch surface: the ray of launch coordinates (u, v) in [-1, 1]^2 passes through centre + a u + b v.
+struct LaunchFrame {
+    vec3 origin;       // point light: its position; parallel beam: unit direction of travel
+    uint isPoint;
+    vec3 centre;
+    float phase;       // optical path at the foot of the axis, so that t = 0 before anything meets the domain
+    vec3 a;
+    uint cellsU;       // cells of the launch grid along u
+    vec3 b;
+    uint cellsV;
+    vec3 strength;     // point: power per steradian; beam: power per unit area
+    float splitPower;  // patches with less remaining power are not split
+    vec3 axis;         // point: centre - origin
+    uint firstCell;    // number of the frame's first cell among all frames'
+};
+
+// A corner of a patch: an exact ray from its launch coordinate. Shares are fractions of the power launched along it.
+struct Particle {
+    vec3 x;
+    float enterPath;      // optical path at which it enters the domain
+    vec3 w;               // wave vector
+    uint status;
+    vec3 xPrevious;       // before the last step
+    float throughputS;    // product of Fresnel transmittances, s polarisation
+    vec3 transmittance;   // of the medium so far
+    float throughputP;
+    vec3 meanShare;       // mean of transmittance x throughput over the last step
+    float enteredShare;   // 1 if it entered since the patch began
+    vec3 normal;          // Crossing
+    float gradMax;
+    float nStart;
+    float nLast;
+    float wTangential;
+    float sideAtStart;
+    vec3 absorbedShare;   // since the patch began
+    float unusedA;
+    vec3 scatteredShare;
+    float unusedB;
+    vec3 reflectedShare;
+    float unusedC;
+};
+
+// A piece of a wavefront: corners in the order (u0, v0), (u1, v0), (u1, v1), (u0, v1) of its launch rectangle.
+struct WavefrontPatch {
+    Particle corners[4];
+    vec2 launchMin;
+    vec2 launchMax;
+    vec3 power;           // launched into the rectangle
+    uint frameIndex;
+    uint stepCount;       // steps since launch: t = stepCount * opticalStep
+    uint orientation;     // 0 unknown, 1 along, 2 against the direction of travel
+    uint unusedA;
+    uint unusedB;
+};
+
+// A patch that waits for a place: traced anew from the source up to stepCount.
+struct LaunchRecord {
+    vec2 launchMin;
+    vec2 launchMax;
+    uint frameIndex;
+    uint stepCount;
+    uint unusedA;
+    uint unusedB;
+};
+
+// Counters of the pool; the index lists of capacity entries each follow in the same block:
+// live (even rounds), live (odd rounds), ring of free slots.
+struct QueueState {
+    uvec3 particleGroups;   // indirect dispatch: a particle an invocation
+    uint liveCount;
+    uvec3 patchGroups;      // indirect dispatch: a patch an invocation
+    uint nextLiveCount;
+    uvec3 emitGroups;       // indirect dispatch: a new patch an invocation
+    uint emitCount;
+    uint recordCount;       // launch records waiting
+    uint recordTake;        // of them, taken by this round's emit
+    uint nextCell;          // first cell of the launch grids not yet emitted
+    uint parity;            // which live list is current
+    uint freeHead;          // ring: next slot to take
+    uint freeTail;          // ring: next place to return a slot to
+    uint freeTailAtStart;   // slots returned in this round cannot be taken in it
+    uint recordOverflow;    // splits refused because the records were full
+    uint stepsLow;          // patch-steps, two words
+    uint stepsHigh;
+    uint evaluationsLow;    // field evaluations, two words
+    uint evaluationsHigh;
+    uint splits;
+    uint folds;
+    uint peakLive;
+    uint unusedA;
+};
+
+// Uniform block.
+struct BakeSettings {
+    float opticalStep;       // [scene units]
+    float maxSide;           // longest side of a patch [scene units]
+    float cullShare;         // patches whose mean remaining share is below are culled
+    uint maxSteps;
+    float depositScale;      // fixed-point units per power x length in voxels
+    float ledgerScale;       // fixed-point units per power
+    uint cellCount;          // of all launch grids
+    uint capacity;           // patches in the pool
+    uint recordCapacity;
+    int slabBegin;           // this pass deposits into voxel layers slabBegin <= k < slabEnd
+    int slabEnd;
+    uint unusedA;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(LaunchFrame) == 96 && offsetof(LaunchFrame, strength) == 64);
+static_assert(sizeof(Particle) == 160 && offsetof(Particle, nStart) == 96);
+static_assert(sizeof(WavefrontPatch) == 688 && offsetof(WavefrontPatch, power) == 656);
+static_assert(sizeof(LaunchRecord) == 32);
+static_assert(sizeof(QueueState) == 112 && offsetof(QueueState, recordCount) == 48);
+static_assert(sizeof(BakeSettings) == 48);
+} // namespace eikonal::bake
+#endif

@@ -1,0 +1,22 @@
+#pragma once
+// Texture units and block bindings that every kernel keeps to.
+
+#ifdef __cplusplus
+namespace eikonal::gpu {
+#endif
+
+const int kUnitOptics = 0;          // grad n in rgb [1 / scene unit], n in alpha
+const int kUnitInterface = 1;       // 1 inside the band of a boundary that changes n
+const int kUnitSigmaA = 2;          // absorption in rgb [1 / scene unit]
+const int kUnitSigmaS = 3;          // scattering in rgb [1 / scene unit], Henyey-Greenstein g in alpha
+const int kUnitEmission = 4;        // radiance per scene unit in rgb
+const int kUnitOpaque = 5;          // albedo in rgb, coverage in alpha
+const int kUnitIrradiance = 6;      // scalar irradiance in rgb (viewer)
+const int kUnitLightDirection = 7;  // flux vector over scalar irradiance in rgb (viewer)
+const int kUnitEnvironment = 8;     // latitude-longitude radiance in rgb (viewer)
+
+const int kUniformDomain = 0;  // DomainBlock; stages use 1 and beyond
+
+#ifdef __cplusplus
+} // namespace eikonal::gpu
+#endif
