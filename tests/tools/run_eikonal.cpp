@@ -1,0 +1,112 @@
+#include "tests/tools/run_eikonal.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace eikonal::test {
+
+namespace {
+
+[[noreturn]] void becomeEikonal(std::vector<char*>& arguments, const RunOptions& options, const std::string& out,
+                                const std::string& err) {
+    for (const std::string& variable : options.environment) {
+        ::putenv(const_cast<char*>(variable.c_str()));
+    }
+    const int outFile = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600);
+    const int errFile = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
+    ::dup2(outFile, STDOUT_FILENO);
+    ::dup2(errFile, STDERR_FILENO);
+    ::execv(EIKONAL_BINARY, arguments.data());
+    ::_exit(127);
+}
+
+} // namespace
+
+const std::string kSmallScene = R"(
+[domain]
+min = [-1, -1, -1]
+max = [1, 1, 1]
+resolution = 16
+[medium]
+scattering = 0.3
+[[object]]
+shape = "sphere"
+radius = 0.5
+ior = 1.5
+[[light]]
+type = "directional"
+direction = [1, 0, 0]
+[render]
+size = [32, 24]
+)";
+
+RunResult runEikonal(const std::vector<std::string>& arguments, const RunOptions& options) {
+    const TemporaryFolder folder;
+    const std::string err = folder.file("stderr");
+    const std::string out = options.standardOutput.empty() ? folder.file("stdout") : options.standardOutput;
+    std::string program = EIKONAL_BINARY;
+    std::vector<std::string> copies = arguments;
+    std::vector<char*> argv{program.data()};
+    std::transform(copies.begin(), copies.end(), std::back_inserter(argv), [](std::string& text) { return text.data(); });
+    argv.push_back(nullptr);
+
+    const pid_t child = ::fork();
+    if (child < 0) {
+        throw std::runtime_error("fork failed");
+    }
+    if (child == 0) {
+        becomeEikonal(argv, options, out, err);
+    }
+    if (options.whileRunning) {
+        options.whileRunning(child);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    RunResult result;
+    result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    result.out = options.standardOutput.empty() ? readText(out) : std::string();
+    result.err = readText(err);
+    return result;
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "eikonal_test_XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) {
+        throw std::runtime_error("no temporary folder at " + pattern);
+    }
+    path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return file(name);
+}
+
+std::vector<std::string> TemporaryFolder::names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string readText(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+} // namespace eikonal::test

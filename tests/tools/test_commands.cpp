@@ -1,0 +1,279 @@
+// The commands end to end: what they write, that it repeats, and that failures leave nothing behind.
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "common/image_io.h"
+#include "common/vdb_io.h"
+#include "tests/tools/run_eikonal.h"
+
+namespace eikonal::test {
+
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Bakes kSmallScene in `folder` and gives the path of the bake.
+std::string smallBake(const TemporaryFolder& folder, const std::string& name = "bake.vdb") {
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const RunResult result = runEikonal({"bake", scene, "-o", folder.file(name)});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return folder.file(name);
+}
+
+std::vector<std::vector<std::string>> csvRows(const std::string& text) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        rows.emplace_back();
+        for (std::string field; std::getline(fields, field, ',');) {
+            rows.back().push_back(field);
+        }
+    }
+    return rows;
+}
+
+const std::string kTraceHeader = "x,y,z,dx,dy,dz,optical_length,length,depth_r,depth_g,depth_b,steps,status";
+
+} // namespace
+
+TEST(BakeCommand, WritesGridsAndMetadata) {
+    const TemporaryFolder folder;
+    const VdbFile file = readVdb(smallBake(folder));
+    const VdbGrid* irradiance = file.find("irradiance");
+    const VdbGrid* direction = file.find("light_direction");
+    ASSERT_NE(irradiance, nullptr);
+    ASSERT_NE(direction, nullptr);
+    EXPECT_EQ(irradiance->typeName, "vec3s");
+    EXPECT_EQ(irradiance->size(), glm::ivec3(16));
+    EXPECT_EQ(direction->size(), glm::ivec3(16));
+    for (const char* key : {"creator", "version", "scene", "scene_hash", "energy", "seconds", "renderer"}) {
+        EXPECT_TRUE(file.metadata.contains(key)) << key;
+    }
+}
+
+TEST(BakeCommand, TwoRunsGiveTheSameBytes) {
+    const TemporaryFolder folder;
+    const VdbFile first = readVdb(smallBake(folder, "a.vdb"));
+    const VdbFile second = readVdb(smallBake(folder, "b.vdb"));
+    EXPECT_TRUE(first.find("irradiance")->vector().values == second.find("irradiance")->vector().values);
+    EXPECT_TRUE(first.find("light_direction")->vector().values == second.find("light_direction")->vector().values);
+}
+
+TEST(BakeCommand, StatisticsHoldTheDocumentedKeys) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const RunResult result = runEikonal({"bake", scene, "-o", folder.file("b.vdb"), "--stats", folder.file("b.json")});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const json statistics = json::parse(readText(folder.file("b.json")));
+    for (const char* key : {"seconds", "patches", "energy", "effects", "device", "memory_bytes"}) {
+        EXPECT_TRUE(statistics.contains(key)) << key;
+    }
+    for (const char* key : {"peak", "steps", "field_evaluations", "splits", "folds"}) {
+        EXPECT_TRUE(statistics["patches"].contains(key)) << key;
+    }
+    for (const char* key : {"emitted", "entered", "absorbed", "scattered", "exited", "reflected", "culled", "balance",
+                            "deposited_absorbed", "deposited_scattered"}) {
+        ASSERT_TRUE(statistics["energy"].contains(key)) << key;
+        EXPECT_EQ(statistics["energy"][key].size(), 3u) << key;
+    }
+    EXPECT_GT(statistics["seconds"]["total"], 0.0);
+    for (const double balance : statistics["energy"]["balance"]) {
+        EXPECT_LE(std::abs(balance), 0.002);
+    }
+}
+
+TEST(BakeCommand, AnInterruptedRunLeavesNoFile) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const auto interrupt = [](pid_t child) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+        ::kill(child, SIGINT);
+    };
+    const RunResult result =
+        runEikonal({"bake", scene, "--resolution", "256", "-o", folder.file("out.vdb"), "--stats", folder.file("s.json")},
+                   {.whileRunning = interrupt});
+    EXPECT_EQ(result.exitCode, 1) << result.err;
+    EXPECT_EQ(result.signal, 0);
+    EXPECT_TRUE(contains(result.err, "interrupted")) << result.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.toml"});
+}
+
+TEST(BakeCommand, AFailedRunKeepsTheOldFile) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", "[[object]]\nior = 0\n");
+    const std::string old = folder.write("out.vdb", "precious");
+    EXPECT_EQ(runEikonal({"bake", scene, "-o", old}).exitCode, 3);
+    EXPECT_EQ(readText(old), "precious");
+}
+
+TEST(Commands, AFullDiskIsReported) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const std::string rays = folder.write("rays.csv", "x,y,z,dx,dy,dz\n-2,0,0,1,0,0\n");
+    const std::vector<std::pair<std::string, std::vector<std::string>>> runs{
+        {"full.vdb", {"bake", scene, "-o"}},
+        {"full.exr", {"render", scene, "-o"}},
+        {"full.png", {"render", scene, "-o"}},
+        {"full.csv", {"trace", scene, "--rays", rays, "-o"}},
+        {"full.obj", {"figure", "-o"}},
+    };
+    for (const auto& [name, command] : runs) {
+        std::filesystem::create_symlink("/dev/full", folder.path() / name);
+        std::vector<std::string> arguments = command;
+        arguments.push_back(folder.file(name));
+        const RunResult result = runEikonal(arguments);
+        EXPECT_EQ(result.exitCode, 1) << name << ": " << result.err;
+        EXPECT_TRUE(contains(result.err, "error: ")) << name << ": " << result.err;
+    }
+    EXPECT_EQ(runEikonal({"info", scene}, {.standardOutput = "/dev/full"}).exitCode, 1);
+}
+
+TEST(RenderCommand, WritesEveryFormat) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    for (const std::string name : {"a.exr", "a.png", "a.jpg"}) {
+        const RunResult result = runEikonal({"render", scene, "-o", folder.file(name), "--size", "40x30"});
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_EQ(readImage(folder.file(name)).size, glm::ivec2(40, 30)) << name;
+    }
+}
+
+TEST(RenderCommand, AStoredBakeGivesTheSamePicture) {
+    const TemporaryFolder folder;
+    const std::string bake = smallBake(folder);
+    const std::string scene = folder.file("scene.toml");
+    ASSERT_EQ(runEikonal({"render", scene, "-o", folder.file("a.exr")}).exitCode, 0);
+    ASSERT_EQ(runEikonal({"render", scene, "--bake", bake, "-o", folder.file("b.exr")}).exitCode, 0);
+    EXPECT_EQ(readImage(folder.file("a.exr")).pixels, readImage(folder.file("b.exr")).pixels);
+}
+
+TEST(RenderCommand, AnotherScenesBakeExitsWith3AndNamesTheKeys) {
+    const TemporaryFolder folder;
+    const std::string bake = smallBake(folder);
+    const std::vector<std::string> arguments{"render", folder.file("scene.toml"), "--bake", bake, "-o",
+                                             folder.file("out.png"), "--set", "medium.scattering=0.7"};
+    const RunResult refused = runEikonal(arguments);
+    EXPECT_EQ(refused.exitCode, 3) << refused.err;
+    EXPECT_TRUE(contains(refused.err, "medium.scattering")) << refused.err;
+    EXPECT_FALSE(contains(refused.err, "domain.resolution")) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out.png"));
+
+    std::vector<std::string> forced = arguments;
+    forced.push_back("--force");
+    EXPECT_EQ(runEikonal(forced).exitCode, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out.png"));
+}
+
+TEST(RenderCommand, WhatABakeDoesNotDependOnMayDiffer) {
+    const TemporaryFolder folder;
+    const std::string bake = smallBake(folder);
+    const RunResult result = runEikonal({"render", folder.file("scene.toml"), "--bake", bake, "-o", folder.file("out.png"),
+                                         "--set", "camera.fov=20", "--set", "render.exposure=1", "--size", "16x16"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+}
+
+TEST(RenderCommand, StatisticsHoldTheDocumentedKeys) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const RunResult result =
+        runEikonal({"render", scene, "-o", folder.file("a.png"), "--stats", folder.file("a.json")});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const json statistics = json::parse(readText(folder.file("a.json")));
+    for (const char* key : {"seconds", "rays", "steps", "field_evaluations", "effects", "device", "memory_bytes",
+                            "textures"}) {
+        EXPECT_TRUE(statistics.contains(key)) << key;
+    }
+    EXPECT_EQ(statistics["rays"], 32 * 24);
+}
+
+TEST(TraceCommand, WritesOneRowPerRayInOrder) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", "[domain]\nresolution = 16\n");
+    const std::string rays =
+        folder.write("rays.csv", "x,y,z,dx,dy,dz\n-3,0.25,0,2,0,0\n-3,5,0,1,0,0\n0,0,0,0,0,-1\n");
+    const RunResult result = runEikonal({"trace", scene, "--rays", rays, "-o", folder.file("out.csv")});
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const auto rows = csvRows(readText(folder.file("out.csv")));
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(readText(folder.file("out.csv")).substr(0, kTraceHeader.size() + 1), kTraceHeader + "\n");
+
+    EXPECT_EQ(rows[1].at(12), "exited");
+    EXPECT_NEAR(std::stod(rows[1][0]), 1.0, 1e-6);  // on the face where it leaves
+    EXPECT_NEAR(std::stod(rows[1][1]), 0.25, 1e-6);
+    EXPECT_NEAR(std::stod(rows[1][3]), 1.0, 1e-6);  // unit direction
+    EXPECT_NEAR(std::stod(rows[1][7]), 2.0, 1e-5);  // from where it enters
+
+    EXPECT_EQ(rows[2].at(12), "missed");
+    EXPECT_EQ(std::stod(rows[2][1]), 5.0);  // the input row, repeated
+    EXPECT_EQ(std::stod(rows[2][7]), 0.0);
+
+    EXPECT_EQ(rows[3].at(12), "exited");
+    EXPECT_NEAR(std::stod(rows[3][2]), -1.0, 1e-6);
+    EXPECT_NEAR(std::stod(rows[3][7]), 1.0, 1e-5);  // from its start inside
+}
+
+TEST(TraceCommand, PointsBeginAndEndWhereTheRayDoes) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const std::string rays = folder.write("rays.csv", "x,y,z,dx,dy,dz\n-3,0.1,0,1,0,0\n-3,0.2,0,1,0,0\n");
+    ASSERT_EQ(runEikonal({"trace", scene, "--rays", rays, "--points", "-o", folder.file("points.csv")}).exitCode, 0);
+    const auto rows = csvRows(readText(folder.file("points.csv")));
+    ASSERT_GT(rows.size(), 10u);
+    EXPECT_EQ(rows[0].at(0), "ray");
+    EXPECT_EQ(rows[1].at(0), "0");
+    EXPECT_NEAR(std::stod(rows[1].at(1)), -1.0, 1e-6);
+    EXPECT_EQ(rows.back().at(0), "1");
+    EXPECT_NEAR(std::stod(rows.back().at(1)), 1.0, 1e-6);
+}
+
+TEST(TraceCommand, ARayThereAndBackIsTheSameRay) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const std::string there = folder.write("there.csv", "x,y,z,dx,dy,dz\n-1,0.2,0.1,1,0,0\n");
+    ASSERT_EQ(runEikonal({"trace", scene, "--rays", there, "-o", folder.file("end.csv")}).exitCode, 0);
+    const auto end = csvRows(readText(folder.file("end.csv"))).at(1);
+    std::string back = "x,y,z,dx,dy,dz\n" + end[0] + "," + end[1] + "," + end[2];
+    for (int axis = 3; axis < 6; ++axis) {
+        back += "," + std::to_string(-std::stod(end[std::size_t(axis)]));
+    }
+    const std::string backFile = folder.write("back.csv", back + "\n");
+    ASSERT_EQ(runEikonal({"trace", scene, "--rays", backFile, "-o", folder.file("start.csv")}).exitCode, 0);
+    const auto start = csvRows(readText(folder.file("start.csv"))).at(1);
+    EXPECT_NEAR(std::stod(start[0]), -1.0, 1e-4);
+    EXPECT_NEAR(std::stod(start[1]), 0.2, 0.01);
+    EXPECT_NEAR(std::stod(start[2]), 0.1, 0.01);
+}
+
+TEST(InfoCommand, ShowsAVolume) {
+    const TemporaryFolder folder;
+    const std::string bake = smallBake(folder);
+    const RunResult text = runEikonal({"info", bake});
+    EXPECT_EQ(text.exitCode, 0) << text.err;
+    EXPECT_TRUE(contains(text.out, "irradiance"));
+    EXPECT_TRUE(contains(text.out, "16 x 16 x 16")) << text.out;
+    const RunResult data = runEikonal({"info", bake, "--json"});
+    EXPECT_EQ(data.exitCode, 0);
+    EXPECT_EQ(json::parse(data.out)["grids"].size(), 2u);
+}
+
+TEST(InfoCommand, ShowsEffectsAndCostOfAScene) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const RunResult text = runEikonal({"info", scene});
+    EXPECT_EQ(text.exitCode, 0) << text.err;
+    EXPECT_TRUE(contains(text.out, "refraction"));
+    const RunResult data = runEikonal({"info", scene, "--json"});
+    EXPECT_EQ(data.exitCode, 0);
+    EXPECT_TRUE(json::parse(data.out).contains("effects"));
+}
+
+} // namespace eikonal::test

@@ -1,0 +1,94 @@
+// The command line itself: help, version, wrong usage.
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/run_eikonal.h"
+
+namespace eikonal::test {
+
+namespace {
+
+const std::vector<std::string> kCommands{"voxelize", "bake", "render", "trace", "info", "figure"};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+} // namespace
+
+TEST(Usage, HelpListsEveryCommand) {
+    const RunResult result = runEikonal({"--help"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.err, "");
+    for (const std::string& command : kCommands) {
+        EXPECT_TRUE(contains(result.out, "\n  " + command)) << command;
+    }
+}
+
+TEST(Usage, HelpOfEachCommandEndsWithAnExample) {
+    for (const std::string& command : kCommands) {
+        const RunResult result = runEikonal({command, "--help"});
+        EXPECT_EQ(result.exitCode, 0) << command;
+        const std::size_t example = result.out.rfind("xample");
+        ASSERT_NE(example, std::string::npos) << command;
+        EXPECT_TRUE(contains(result.out.substr(example), "eikonal " + command)) << command;
+    }
+}
+
+TEST(Usage, VersionNamesLibrariesAndRenderer) {
+    const RunResult result = runEikonal({"--version"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_TRUE(contains(result.out, "OpenVDB 1")) << result.out;
+    EXPECT_TRUE(contains(result.out, "renderer: ")) << result.out;
+    EXPECT_FALSE(contains(result.out, "renderer: none")) << result.out;
+}
+
+TEST(Usage, VersionNeedsNoDevice) {
+    const RunResult result = runEikonal({"--version"}, {.environment = {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_TRUE(contains(result.out, "renderer: none")) << result.out;
+}
+
+TEST(Usage, WrongUsageExitsWith2AndSaysWhy) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const std::vector<std::vector<std::string>> wrong{
+        {},
+        {"paint"},
+        {"bake"},
+        {"bake", scene},
+        {"bake", scene, "-o", folder.file("out.vdb"), "--paint"},
+        {"bake", scene, "-o", folder.file("out.vdb"), "--resolution", "many"},
+        {"bake", scene, "-o", folder.file("out.vdb"), "--set", "novalue"},
+        {"render", scene, "-o", folder.file("out.tiff")},
+        {"render", scene, "-o", folder.file("out")},
+        {"render", scene, "-o", folder.file("out.png"), "--size", "640"},
+        {"render", scene, "-o", folder.file("out.png"), "--size", "640x-480"},
+        {"trace", scene, "-o", folder.file("out.csv")},
+        {"info"},
+    };
+    for (const auto& arguments : wrong) {
+        const RunResult result = runEikonal(arguments);
+        const std::string shown = testing::PrintToString(arguments);
+        EXPECT_EQ(result.exitCode, 2) << shown << result.err;
+        EXPECT_NE(result.err, "") << shown;
+        EXPECT_EQ(result.out, "") << shown;
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.toml"});
+}
+
+TEST(Usage, QuietSilencesProgressBeforeAndAfterTheCommand) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    EXPECT_EQ(runEikonal({"--quiet", "bake", scene, "-o", folder.file("a.vdb")}).err, "");
+    EXPECT_EQ(runEikonal({"bake", scene, "-o", folder.file("b.vdb"), "--quiet"}).err, "");
+    EXPECT_NE(runEikonal({"bake", scene, "-o", folder.file("c.vdb")}).err, "");
+}
+
+TEST(Usage, NoColoursOrBarsAwayFromATerminal) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const RunResult result = runEikonal({"bake", scene, "-o", folder.file("a.vdb")});
+    EXPECT_FALSE(contains(result.err, "\x1b"));
+    EXPECT_FALSE(contains(result.err, "\r"));
+}
+
+} // namespace eikonal::test

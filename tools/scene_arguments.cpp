@@ -1,0 +1,74 @@
+#include "tools/scene_arguments.h"
+
+#include <charconv>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "common/scene_toml.h"
+
+namespace eikonal {
+
+namespace {
+
+void pushOverride(SceneArguments& arguments, const char* key, const std::string& value) {
+    arguments.overrides.push_back(fmt::format("{}={}", key, value));
+}
+
+std::string sizeAsArray(const std::string& text) {
+    int width = 0;
+    int height = 0;
+    const char* end = text.data() + text.size();
+    const auto [cross, widthStatus] = std::from_chars(text.data(), end, width);
+    const bool hasCross = widthStatus == std::errc() && cross != end && (*cross == 'x' || *cross == 'X');
+    const char* second = hasCross ? cross + 1 : end;
+    const auto [stop, heightStatus] = std::from_chars(second, end, height);
+    if (!hasCross || heightStatus != std::errc() || stop != end || width < 1 || height < 1) {
+        throw CLI::ValidationError("--size", fmt::format("expected WxH in pixels such as 640x480, found '{}'", text));
+    }
+    return fmt::format("[{}, {}]", width, height);
+}
+
+} // namespace
+
+void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
+    command.add_option("scene", arguments.file, "scene file (TOML), or a VDB with a grid `ior`")
+        ->required()
+        ->type_name("SCENE");
+    command.add_option("--set", arguments.overrides, "override a value of the scene, as in --set object.0.ior=1.33")
+        ->type_name("KEY.PATH=VALUE")
+        ->allow_extra_args(false)
+        ->check([](const std::string& text) {
+            const bool valid = text.find('=') != std::string::npos && text.front() != '=';
+            return valid ? std::string() : fmt::format("expected KEY.PATH=VALUE, found '{}'", text);
+        });
+}
+
+void addIntegerKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option) {
+    const auto push = [&arguments, key = option.key](int value) {
+        pushOverride(arguments, key, std::to_string(value));
+    };
+    command.add_option_function<int>(option.names, push, option.help)
+        ->type_name(option.metavariable)
+        ->check(CLI::PositiveNumber);
+}
+
+void addNumberKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option) {
+    const auto push = [&arguments, key = option.key](double value) {
+        pushOverride(arguments, key, fmt::format("{}", value));
+    };
+    command.add_option_function<double>(option.names, push, option.help)
+        ->type_name(option.metavariable)
+        ->check(CLI::PositiveNumber);
+}
+
+void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option) {
+    const auto push = [&arguments, key = option.key](const std::string& text) {
+        pushOverride(arguments, key, sizeAsArray(text));
+    };
+    command.add_option_function<std::string>(option.names, push, option.help)->type_name(option.metavariable);
+}
+
+Scene sceneOf(const SceneArguments& arguments) { return loadScene(arguments.file, arguments.overrides); }
+
+} // namespace eikonal

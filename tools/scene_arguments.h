@@ -1,0 +1,37 @@
+#pragma once
+// The arguments of every command that takes a scene: the file, --set, and options that stand for a key of the scene.
+
+#include <string>
+#include <vector>
+
+#include "common/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace eikonal {
+
+struct SceneArguments {
+    std::string file;
+    std::vector<std::string> overrides;  ///< "key.path=value" in the order given, options for single keys last
+};
+
+/// An option that is a shorter spelling of --set for one key.
+struct SceneKeyOption {
+    const char* names;        ///< "--samples"
+    const char* key;          ///< "render.samples"
+    const char* metavariable; ///< "N"
+    std::string help;         ///< with unit and default
+};
+
+void addSceneArguments(CLI::App& command, SceneArguments& arguments);
+void addIntegerKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option);
+void addNumberKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option);
+/// WxH, as an array of two integers.
+void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option);
+
+/// The scene with its overrides. Throws badInput as loadScene.
+Scene sceneOf(const SceneArguments& arguments);
+
+} // namespace eikonal

@@ -1,0 +1,15 @@
+#pragma once
+// What `--stats` writes: statistics of a bake and of an image as JSON (README, docs/performance.md).
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "common/effects.h"
+#include "lightsim/bake.h"
+
+namespace eikonal {
+
+nlohmann::json energyJson(const EnergyLedger& energy);
+nlohmann::json effectsJson(const EffectSet& effects);
+nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effects);
+
+} // namespace eikonal
