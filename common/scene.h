@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -21,11 +22,15 @@ struct SourcePosition {
     int column = 0;
 };
 
+/// "file:line:column", or the file alone where there is no line.
+std::string describe(const SourcePosition& position);
+
 /// A number or an expression in x, y, z, r, one per band: `0.4`, `[0.1, 0.8, 0.9]`, `"1 + 0.1*exp(-y)"`.
 struct Quantity {
     glm::dvec3 constant{0.0};
     std::optional<std::string> expression;  ///< when set, `constant` is unused; the same value for all bands
     SourcePosition where;
+    bool given = false;  ///< false: nobody said; a volume's grid of that name then stands alone
 
     bool isConstant() const { return !expression; }
     bool isZero() const { return isConstant() && constant == glm::dvec3(0.0); }
@@ -53,22 +58,26 @@ struct TorusShape { double radius = 0.5, tube = 0.15; };       ///< axis y
 struct PrismShape { double side = 1.0, height = 1.0; };        ///< equilateral triangle in xy, extruded along z
 struct Checker { glm::dvec3 a{0.8}, b{0.2}; double cell = 0.25; };
 struct PlaneShape { glm::dvec2 size{2.0}; std::optional<Checker> checker; };  ///< horizontal, solid below y = 0
-struct WineGlassShape { double height = 1.5; };
+struct WineGlassShape { double height = 1.5; };                ///< centred; wall 3 % of the height
+struct WineShape { double height = 1.5, fill = 0.4; };         ///< liquid in the glass of that height; fill of its depth
 struct FieldShape { glm::dvec3 size{2.0}; };                   ///< no boundary: constants are expressions over its box
 struct MeshShape { std::filesystem::path file; };
+/// What a volume file may hold, by our names; a level set counts as `density`.
+inline constexpr std::array<std::string_view, 8> kVolumeGridNames{"ior",      "absorption", "scattering", "anisotropy",
+                                                                 "emission", "opaque",     "albedo",     "density"};
 struct VolumeShape {
     std::filesystem::path file;
-    std::map<std::string, std::string> grids;  ///< our name -> name in the file
+    std::map<std::string, std::string> grids;  ///< our name -> name in the file; kVolumeGridNames
 };
 using Shape = std::variant<SphereShape, BoxShape, RoundedBoxShape, CylinderShape, TorusShape, PrismShape, PlaneShape,
-                           WineGlassShape, FieldShape, MeshShape, VolumeShape>;
+                           WineGlassShape, WineShape, FieldShape, MeshShape, VolumeShape>;
 
 struct Object {
     std::string name;
     Shape shape;
-    Quantity ior{.constant = glm::dvec3(1.0), .expression = std::nullopt, .where = {}};
+    Quantity ior{.constant = glm::dvec3(1.5), .expression = std::nullopt, .where = {}};
     double cauchyB = 0.0;  ///< [µm²]
-    Quantity absorption, scattering, anisotropy, emission;
+    Quantity absorption, scattering, anisotropy, emission;  ///< ignored where opaque, as is `ior`
     bool opaque = false;
     glm::dvec3 albedo{0.8};
     std::optional<double> smoothVoxels;  ///< boundary width; 0: by area; unset: the domain's (the grid's own for volumes)
@@ -132,6 +141,10 @@ struct RenderSettings {
 struct Scene {
     std::string source;              ///< the file as the user named it
     std::filesystem::path folder;    ///< relative paths start here
+
+    /// Where a file named in the scene is.
+    std::filesystem::path resolve(const std::filesystem::path& file) const { return folder / file; }
+
     Domain domain;
     Medium medium;
     std::vector<Object> objects;

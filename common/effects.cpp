@@ -1,0 +1,99 @@
+#include "common/effects.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace eikonal {
+namespace {
+
+constexpr std::array<std::string_view, 8> kEffectNames{"refraction", "absorption", "scattering", "emission",
+                                                       "reflection", "dispersion", "opaque",     "environment"};
+
+EffectDecision decideRefraction(const Fields& fields) {
+    if (fields.iorGradient.empty())
+        return {Effect::kRefraction, false, fmt::format("the index is {} everywhere", fields.iorUniform), {}};
+    const auto [low, high] = std::minmax_element(fields.ior.values.begin(), fields.ior.values.end());
+    return {Effect::kRefraction, true, fmt::format("the index varies from {:.4g} to {:.4g}", *low, *high), {"ior"}};
+}
+
+EffectDecision decideByGrid(Effect effect, bool present, const std::string& matter, std::vector<std::string> grids) {
+    if (!present)
+        return {effect, false, "nothing " + matter, {}};
+    return {effect, true, "something " + matter, std::move(grids)};
+}
+
+EffectDecision decideReflection(const Fields& fields) {
+    const auto& mask = fields.interface.values;
+    const auto band = std::count_if(mask.begin(), mask.end(), [](unsigned char value) { return value != 0; });
+    if (band == 0)
+        return {Effect::kReflection, false, "no boundary changes the index", {}};
+    return {Effect::kReflection, true, fmt::format("boundaries that change the index fill {} voxels", band),
+            {"interface"}};
+}
+
+EffectDecision decideDispersion(const Scene& scene) {
+    const bool disperses =
+        std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return o.cauchyB != 0.0; });
+    return {Effect::kDispersion, false,
+            disperses ? "not simulated yet: needs spectral bands" : "no object has cauchy_b", {}};
+}
+
+EffectDecision decideEnvironment(const Scene& scene) {
+    const std::string what = scene.environment.image ? scene.environment.image->generic_string() : "a gradient";
+    return {Effect::kEnvironment, true, "the background is " + what, {}};
+}
+
+void applyAllowed(const Scene& scene, EffectSet& set) {
+    if (!scene.render.effects)
+        return;
+    const std::vector<std::string>& allowed = *scene.render.effects;
+    for (EffectDecision& decision : set.decisions) {
+        const bool named = std::find(allowed.begin(), allowed.end(), effectName(decision.effect)) != allowed.end();
+        if (decision.on && !named) {
+            decision.on = false;
+            decision.why = "left out by render.effects, though " + decision.why;
+        }
+    }
+}
+
+} // namespace
+
+std::string_view effectName(Effect effect) { return kEffectNames[std::size_t(effect)]; }
+
+EffectSet decideEffects(const Scene& scene, const Fields& fields) {
+    EffectSet set;
+    set.decisions = {
+        decideRefraction(fields),
+        decideByGrid(Effect::kAbsorption, !fields.sigmaA.empty(), "absorbs", {"absorption"}),
+        decideByGrid(Effect::kScattering, !fields.sigmaS.empty(), "scatters", {"scattering", "anisotropy"}),
+        decideByGrid(Effect::kEmission, !fields.emission.empty(), "emits", {"emission"}),
+        decideReflection(fields),
+        decideDispersion(scene),
+        decideByGrid(Effect::kOpaque, !fields.opaque.empty(), "is opaque", {"opaque", "albedo"}),
+        decideEnvironment(scene),
+    };
+    applyAllowed(scene, set);
+    return set;
+}
+
+std::vector<std::string> EffectSet::defines() const {
+    std::vector<std::string> names;
+    for (const EffectDecision& decision : decisions) {
+        if (!decision.on)
+            continue;
+        std::string name = "EFFECT_";
+        for (const char c : effectName(decision.effect))
+            name += char(c - 'a' + 'A');
+        names.push_back(name);
+    }
+    return names;
+}
+
+bool EffectSet::wantsLight(const Scene& scene) const {
+    const bool lit = !scene.lights.empty() || scene.environment.bake;
+    return lit && (has(Effect::kScattering) || has(Effect::kOpaque));
+}
+
+} // namespace eikonal

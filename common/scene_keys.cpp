@@ -1,0 +1,194 @@
+// Sections of the scene file other than objects and lights.
+
+#include "common/scene_keys.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "common/effects.h"
+#include "common/key_builders.h"
+#include "common/spelling.h"
+
+namespace eikonal {
+namespace {
+
+constexpr std::pair<std::string_view, Integrator> kIntegrators[] = {{"auto", Integrator::kAuto},
+                                                                   {"euler", Integrator::kEuler},
+                                                                   {"leapfrog", Integrator::kLeapfrog},
+                                                                   {"rk4", Integrator::kRk4},
+                                                                   {"sharma", Integrator::kSharma}};
+constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {
+    {"auto", Interpolation::kAuto}, {"linear", Interpolation::kLinear}, {"cubic", Interpolation::kCubic}};
+constexpr std::pair<std::string_view, Deposit> kDeposits[] = {
+    {"auto", Deposit::kAuto}, {"splat", Deposit::kSplat}, {"cells", Deposit::kCells}, {"peak", Deposit::kPeak}};
+constexpr std::pair<std::string_view, Directional> kDirectionals[] = {
+    {"auto", Directional::kAuto}, {"mean", Directional::kMean}, {"lobes", Directional::kLobes}};
+constexpr std::pair<std::string_view, ToneMap> kToneMaps[] = {
+    {"agx", ToneMap::kAgx}, {"reinhard", ToneMap::kReinhard}, {"none", ToneMap::kNone}};
+
+std::optional<std::string> written(const std::string& value) { return value; }
+
+Key<Environment> imageKey() {
+    return {"image",
+            [](Environment& environment, const toml::node& node, const std::string& key) {
+                environment.image = readString(node, key);
+            },
+            [](const Environment& environment) {
+                return environment.image ? written(writeString(environment.image->generic_string())) : std::nullopt;
+            }};
+}
+
+/// Shorthand for a gradient of two equal colours, and written as one.
+Key<Environment> colorKey() {
+    return {"color",
+            [](Environment& environment, const toml::node& node, const std::string& key) {
+                environment.gradient.fill(readVector3(node, key, kNotNegative));
+            },
+            [](const Environment&) { return std::nullopt; }};
+}
+
+Key<Environment> gradientKey() {
+    return {"gradient",
+            [](Environment& environment, const toml::node& node, const std::string& key) {
+                const toml::array* colors = node.as_array();
+                if (!colors || colors->size() != 2)
+                    throw wrongValue(node, key, "[[horizon r, g, b], [zenith r, g, b]]");
+                for (std::size_t i = 0; i < 2; ++i)
+                    environment.gradient[i] =
+                        readVector3((*colors)[i], fmt::format("{}[{}]", key, i), kNotNegative);
+            },
+            [](const Environment& environment) {
+                return fmt::format("[{}, {}]", writeVector(environment.gradient[0]),
+                                   writeVector(environment.gradient[1]));
+            }};
+}
+
+Key<Accuracy> stepKey() {
+    return {"step",
+            [](Accuracy& accuracy, const toml::node& node, const std::string& key) {
+                accuracy.stepVoxels.reset();
+                if (node.value<std::string_view>() == "auto")
+                    return;
+                if (!node.is_number())
+                    throw wrongValue(node, key, "'auto' or voxels, a number > 0");
+                accuracy.stepVoxels = readNumber(node, key, kPositive);
+            },
+            [](const Accuracy& accuracy) {
+                return accuracy.stepVoxels ? writeNumber(*accuracy.stepVoxels) : writeString("auto");
+            }};
+}
+
+Key<RenderSettings> sizeKey() {
+    constexpr Limits kPixels{.low = 1.0, .high = 32768.0};
+    return {"size",
+            [=](RenderSettings& render, const toml::node& node, const std::string& key) {
+                const toml::array* size = node.as_array();
+                if (!size || size->size() != 2)
+                    throw wrongValue(node, key, "[width, height] in pixels");
+                for (int i = 0; i < 2; ++i)
+                    render.size[i] = readInteger((*size)[std::size_t(i)], fmt::format("{}[{}]", key, i), kPixels);
+            },
+            [](const RenderSettings& render) { return fmt::format("[{}, {}]", render.size.x, render.size.y); }};
+}
+
+std::vector<std::string> readEffects(const toml::node& node, const std::string& key) {
+    const toml::array* list = node.as_array();
+    if (!list)
+        throw wrongValue(node, key, "'auto' or a list of effects");
+    std::vector<std::pair<std::string_view, Effect>> names;
+    for (int i = 0; i <= int(Effect::kEnvironment); ++i)
+        names.emplace_back(effectName(Effect(i)), Effect(i));
+    std::vector<std::string> allowed;
+    for (const toml::node& item : *list)
+        allowed.emplace_back(effectName(readChoice(item, key, Choices<Effect>(names))));
+    return allowed;
+}
+
+Key<RenderSettings> effectsKey() {
+    return {"effects",
+            [](RenderSettings& render, const toml::node& node, const std::string& key) {
+                render.effects.reset();
+                if (node.value<std::string_view>() != "auto")
+                    render.effects = readEffects(node, key);
+            },
+            [](const RenderSettings& render) {
+                if (!render.effects)
+                    return writeString("auto");
+                std::string list;
+                for (const std::string& name : *render.effects)
+                    list += (list.empty() ? "" : ", ") + writeString(name);
+                return "[" + list + "]";
+            }};
+}
+
+} // namespace
+
+const Keys<Domain>& domainKeys() {
+    static const Keys<Domain> table{
+        keys::vector3<Domain>("min", &Domain::min, kAnyNumber),
+        keys::vector3<Domain>("max", &Domain::max, kAnyNumber),
+        keys::integer<Domain>("resolution", &Domain::resolution, {.low = 1.0, .high = 4096.0}),
+        keys::number<Domain>("smooth", &Domain::smoothVoxels, kNotNegative),
+        keys::quantity<Domain>("ior", &Domain::ior, kPositive, Bands::kOne),
+    };
+    return table;
+}
+
+const Keys<Medium>& mediumKeys() {
+    static const Keys<Medium> table{
+        keys::quantity<Medium>("scattering", &Medium::scattering, kNotNegative, Bands::kThree),
+        keys::quantity<Medium>("absorption", &Medium::absorption, kNotNegative, Bands::kThree),
+        keys::number<Medium>("anisotropy", &Medium::anisotropy, kAnisotropyRange),
+    };
+    return table;
+}
+
+const Keys<Camera>& cameraKeys() {
+    static const Keys<Camera> table{
+        keys::vector3<Camera>("position", &Camera::position, kAnyNumber),
+        keys::vector3<Camera>("look_at", &Camera::lookAt, kAnyNumber),
+        keys::vector3<Camera>("up", &Camera::up, kAnyNumber),
+        keys::number<Camera>("fov", &Camera::fov, {.low = 0.0, .high = 180.0, .lowOpen = true, .highOpen = true}),
+    };
+    return table;
+}
+
+const Keys<Environment>& environmentKeys() {
+    static const Keys<Environment> table{
+        imageKey(),
+        colorKey(),
+        gradientKey(),
+        keys::number<Environment>("rotate", &Environment::rotate, kAnyNumber),
+        keys::number<Environment>("intensity", &Environment::intensity, kNotNegative),
+        keys::flag<Environment>("bake", &Environment::bake),
+    };
+    return table;
+}
+
+const Keys<Accuracy>& accuracyKeys() {
+    static const Keys<Accuracy> table{
+        keys::number<Accuracy>("tolerance", &Accuracy::tolerance, {.low = 0.0, .high = 1.0, .lowOpen = true}),
+        keys::choice<Accuracy>("integrator", &Accuracy::integrator, Choices<Integrator>(kIntegrators)),
+        keys::choice<Accuracy>("interpolation", &Accuracy::interpolation, Choices<Interpolation>(kInterpolations)),
+        stepKey(),
+        keys::choice<Accuracy>("deposit", &Accuracy::deposit, Choices<Deposit>(kDeposits)),
+        keys::choice<Accuracy>("directional", &Accuracy::directional, Choices<Directional>(kDirectionals)),
+        keys::integer<Accuracy>("reflections", &Accuracy::reflections, {.low = 0.0, .high = 64.0}),
+        keys::integer<Accuracy>("bands", &Accuracy::bands, {.low = 3.0, .high = 64.0}),
+    };
+    return table;
+}
+
+const Keys<RenderSettings>& renderKeys() {
+    static const Keys<RenderSettings> table{
+        sizeKey(),
+        keys::integer<RenderSettings>("samples", &RenderSettings::samples, {.low = 1.0, .high = 1e6}),
+        keys::number<RenderSettings>("exposure", &RenderSettings::exposureEv, {.low = -100.0, .high = 100.0}),
+        keys::choice<RenderSettings>("tone_map", &RenderSettings::toneMap, Choices<ToneMap>(kToneMaps)),
+        effectsKey(),
+    };
+    return table;
+}
+
+} // namespace eikonal

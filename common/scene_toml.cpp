@@ -1,0 +1,211 @@
+// TOML text -> table -> overrides -> sections, each through its table of keys -> checks between values.
+
+#include "common/scene_toml.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "common/scene_keys.h"
+#include "common/scene_overrides.h"
+#include "common/scene_values.h"
+#include "common/spelling.h"
+
+namespace eikonal {
+namespace {
+
+toml::table parseText(const std::string& text, const std::string& source) {
+    try {
+        return toml::parse(text, source);
+    } catch (const toml::parse_error& error) {
+        const toml::source_position& at = error.source().begin;
+        throw badInput(fmt::format("{}:{}:{}: not a scene file: {}", source, at.line, at.column, error.description()));
+    }
+}
+
+/// Reads the keys of one table; `known` are keys that somebody else reads.
+template <class Section>
+void readTable(const toml::table& table, const std::string& path, const Keys<Section>& keys, Section& section,
+               std::vector<std::string_view> known = {}) {
+    for (const Key<Section>& key : keys) {
+        known.push_back(key.name);
+        if (const toml::node* node = table.get(key.name))
+            key.read(section, *node, fmt::format("{}.{}", path, key.name));
+    }
+    for (const auto& [key, value] : table)
+        if (std::find(known.begin(), known.end(), key.str()) == known.end())
+            throw badInput(fmt::format("{}: unknown key '{}' in {}{}; expected {}", describe(positionOf(value)),
+                                       key.str(), path, didYouMean(key.str(), known), listNames(known)));
+}
+
+template <class Section>
+void readSection(const toml::table& root, std::string_view name, const Keys<Section>& keys, Section& section) {
+    const toml::node* node = root.get(name);
+    if (!node)
+        return;
+    if (!node->is_table())
+        throw wrongValue(*node, std::string(name), fmt::format("a table [{}]", name));
+    readTable(*node->as_table(), std::string(name), keys, section);
+}
+
+/// Tables of `[[name]]`, empty if there are none.
+std::vector<const toml::table*> tablesOf(const toml::table& root, std::string_view name) {
+    const toml::node* node = root.get(name);
+    if (!node)
+        return {};
+    std::vector<const toml::table*> tables;
+    const toml::array* array = node->as_array();
+    if (!array)
+        throw wrongValue(*node, std::string(name), fmt::format("tables headed [[{}]]", name));
+    for (const toml::node& element : *array) {
+        if (!element.is_table())
+            throw wrongValue(element, std::string(name), fmt::format("tables headed [[{}]]", name));
+        tables.push_back(element.as_table());
+    }
+    return tables;
+}
+
+void requireFile(const Scene& scene, const toml::table& table, const std::string& key, const std::string& path) {
+    const toml::node* node = table.get(key);
+    if (!node)
+        return;
+    const std::filesystem::path file = scene.resolve(readString(*node, path + "." + key));
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored) || std::filesystem::is_directory(file, ignored))
+        throw badInput(fmt::format("{}: {}.{}: expected a file, found none at '{}'", describe(positionOf(*node)), path,
+                                   key, file.string()));
+}
+
+void checkShape(const toml::table& table, const std::string& path, const Shape& shape) {
+    if (const auto* box = std::get_if<RoundedBoxShape>(&shape)) {
+        const double largest = 0.5 * std::min({box->size.x, box->size.y, box->size.z});
+        if (box->radius > largest)
+            throw badInput(fmt::format("{}: {}.radius: expected at most half the shortest edge, {}, found {}",
+                                       describe(positionOf(table)), path, largest, box->radius));
+    }
+    if (const auto* torus = std::get_if<TorusShape>(&shape); torus && torus->tube > torus->radius)
+        throw badInput(fmt::format("{}: {}.tube: expected at most the radius, {}, found {}",
+                                   describe(positionOf(table)), path, torus->radius, torus->tube));
+}
+
+void checkAnisotropy(const std::string& path, const Quantity& g) {
+    if (g.constant.x != g.constant.y || g.constant.y != g.constant.z)
+        throw badInput(fmt::format("{}: {}.anisotropy: expected the same value in all bands, found [{}, {}, {}]",
+                                   describe(g.where), path, g.constant.x, g.constant.y, g.constant.z));
+}
+
+Object readObject(const Scene& scene, const toml::table& table, const std::string& path) {
+    Object object;
+    object.where = positionOf(table);
+    object.shape = readShapeKind(table, path);
+    Keys<Object> keys = shapeKeys(object.shape);
+    keys.insert(keys.end(), objectKeys().begin(), objectKeys().end());
+    readTable(table, path, keys, object, {"shape", "mesh", "volume"});
+    requireFile(scene, table, "mesh", path);
+    requireFile(scene, table, "volume", path);
+    checkShape(table, path, object.shape);
+    checkAnisotropy(path, object.anisotropy);
+    return object;
+}
+
+Light readLight(const toml::table& table, const std::string& path) {
+    Light light = readLightKind(table, path);
+    readTable(table, path, lightKeys(light), light, {"type"});
+    return light;
+}
+
+void checkTopLevel(const toml::table& root) {
+    const std::vector<std::string_view> sections{"domain", "medium",      "object",   "light",
+                                                 "camera", "environment", "accuracy", "render"};
+    for (const auto& [key, value] : root)
+        if (std::find(sections.begin(), sections.end(), key.str()) == sections.end())
+            throw badInput(fmt::format("{}: unknown section '{}'{}; expected {}", describe(positionOf(value)),
+                                       key.str(), didYouMean(key.str(), sections), listNames(sections)));
+}
+
+/// Position of a section, or of the file where the section is left out.
+std::string placeOf(const toml::table& root, std::string_view section, const Scene& scene) {
+    const toml::node* node = root.get(section);
+    return node ? describe(positionOf(*node)) : scene.source;
+}
+
+void checkDomain(const toml::table& root, const Scene& scene) {
+    const glm::dvec3 extent = scene.domain.max - scene.domain.min;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(extent[axis] > 0.0) || !std::isfinite(extent[axis]))
+            throw badInput(fmt::format("{}: domain: expected max > min in {}, found min {} and max {}",
+                                       placeOf(root, "domain", scene), "xyz"[axis], scene.domain.min[axis],
+                                       scene.domain.max[axis]));
+}
+
+void checkCamera(const toml::table& root, const Scene& scene) {
+    const glm::dvec3 forward = scene.camera.lookAt - scene.camera.position;
+    const double sine = glm::length(glm::cross(forward, scene.camera.up));
+    if (!(sine > 1e-9 * glm::length(forward) * glm::length(scene.camera.up)))
+        throw badInput(fmt::format("{}: camera: expected look_at away from position and up not along the view, found "
+                                   "position {}, look_at {}, up {}",
+                                   placeOf(root, "camera", scene), writeVector(scene.camera.position),
+                                   writeVector(scene.camera.lookAt), writeVector(scene.camera.up)));
+}
+
+void checkEnvironment(const toml::table& root, const Scene& scene) {
+    const toml::node* node = root.get("environment");
+    if (!node)
+        return;
+    requireFile(scene, *node->as_table(), "image", "environment");
+    if (node->as_table()->contains("color") && node->as_table()->contains("gradient"))
+        throw badInput(fmt::format("{}: environment: expected one of 'color' and 'gradient', found both",
+                                   describe(positionOf(*node))));
+}
+
+void readScene(const toml::table& root, Scene& scene) {
+    checkTopLevel(root);
+    readSection(root, "domain", domainKeys(), scene.domain);
+    readSection(root, "medium", mediumKeys(), scene.medium);
+    for (const toml::table* table : tablesOf(root, "object"))
+        scene.objects.push_back(readObject(scene, *table, fmt::format("object.{}", scene.objects.size())));
+    for (const toml::table* table : tablesOf(root, "light"))
+        scene.lights.push_back(readLight(*table, fmt::format("light.{}", scene.lights.size())));
+    readSection(root, "camera", cameraKeys(), scene.camera);
+    readSection(root, "environment", environmentKeys(), scene.environment);
+    readSection(root, "accuracy", accuracyKeys(), scene.accuracy);
+    readSection(root, "render", renderKeys(), scene.render);
+    checkDomain(root, scene);
+    checkCamera(root, scene);
+    checkEnvironment(root, scene);
+}
+
+std::string readText(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw badInput(fmt::format("{}: expected a scene file, found a folder", path.string()));
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw badInput(fmt::format("{}: expected a scene file, found none that can be read", path.string()));
+    return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+} // namespace
+
+Scene parseScene(const std::string& text, const std::string& source, const std::filesystem::path& folder,
+                 const std::vector<std::string>& overrides) {
+    toml::table root = parseText(text, source);
+    for (const std::string& override : overrides)
+        applyOverride(root, override);
+    Scene scene;
+    scene.source = source;
+    scene.folder = folder;
+    readScene(root, scene);
+    return scene;
+}
+
+Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+    const std::string text = path.extension() == ".vdb" ? sceneTextForVolume(path) : readText(path);
+    return parseScene(text, path.string(), path.parent_path(), overrides);
+}
+
+} // namespace eikonal
