@@ -53,19 +53,18 @@ double meshVolume(const Mesh& mesh);
 
 /// Signed distance at the voxels' centres [scene units], negative inside, clamped to ±bandVoxels voxels; right also deep
 /// inside and in inner cavities. The mesh must be closed. `worldFromMesh` is any affine map.
-/// Throws badInput if the mesh encloses no voxel's centre.
+/// Throws badInput if the mesh lies within the lattice's box and encloses no voxel's centre.
 DenseGrid<float> signedDistance(const Mesh& mesh, const Lattice& lattice, const glm::dmat4& worldFromMesh,
                                 double bandVoxels);
 
-/// Volume of the region of negative distance with the fraction of boundary voxels from d [scene units³].
+/// Volume of the region of negative distance, boundary voxels by their share max(0, min(1, 1/2 - d/voxel)) [scene units³].
 double voxelizedVolume(const DenseGrid<float>& distance, double voxel);
 
-/// Thickness of a mesh's walls: distance from points spread over the surface, inwards along the normal, to the next
-/// surface [mesh units].
+/// Thickness of a mesh's walls: along lines through the solid that enter and leave by nearly opposite faces [mesh units].
 struct WallThickness {
-    double thinnest = 0.0;  ///< first percentile by area: the minimum would be an edge's
+    double thinnest = 0.0;  ///< first percentile by area; 0: no such walls
     double median = 0.0;
-    /// Voxels along `longestSide` for which the thinnest walls are two voxels.
+    /// Voxels along `longestSide` for which the thinnest walls are two voxels; INT_MAX without walls.
     int resolutionForTwoVoxels(double longestSide) const;
 };
 WallThickness wallThickness(const Mesh& mesh);

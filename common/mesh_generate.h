@@ -5,14 +5,14 @@
 
 namespace eikonal {
 
-/// A trefoil knot swept by an elliptic, slowly twisting cross-section: closed, smooth, of genus one.
-/// Fits the box of edge 2 around the origin.
+/// A trefoil knot swept by an elliptic, slowly twisting cross-section: closed, smooth, of genus one. Scaled to a longest
+/// side of 2 around the origin; the lengths below are in units of half the knot's major radius.
 struct KnotOptions {
-    int segments = 360;      ///< along the knot
-    int sides = 48;          ///< around the tube
-    double tube = 0.30;      ///< half width of the tube [units of the knot's major radius]
-    double flattening = 0.72;  ///< ratio of the cross-section's half axes
-    int twists = 3;          ///< half turns of the cross-section along the knot
+    int segments = 360;        ///< along the knot
+    int sides = 48;            ///< around the tube; even
+    double tube = 0.72;        ///< larger half axis of the cross-section
+    double flattening = 0.75;  ///< ratio of its half axes
+    int twists = 3;            ///< half turns of the cross-section along the knot
 };
 Mesh generateKnot(const KnotOptions& options = {});
 

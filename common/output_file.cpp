@@ -43,9 +43,9 @@ bool writtenInPlace(const fs::path& target) {
 /// Creates an empty file of a new name beside the target, with the mode that any new file gets.
 fs::path createBeside(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
-    const std::string stem = "." + target.stem().string();
     for (;;) {
-        const std::string name = fmt::format("{}.{}-{}{}", stem, getpid(), counter++, target.extension().string());
+        const std::string name = fmt::format(".{}.{}-{}{}", target.stem().string(), getpid(), counter++,
+                                             target.extension().string());
         const fs::path candidate = target.parent_path() / name;
         const int file = open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0) {

@@ -13,11 +13,11 @@ namespace eikonal {
 
 struct VoxelizeOptions {
     double ior = 1.5;                 ///< refractive index inside
-    int resolution = 128;             ///< voxels along the mesh's longest side, without padding; unused with voxelSize
+    int resolution = 128;             ///< voxels along the grid's longest side, padding included; unused with voxelSize
     std::optional<double> voxelSize;  ///< [mesh units]
     double smoothVoxels = 1.5;        ///< width b of the boundary; 0: coverage by area
     std::optional<glm::dvec3> absorption;  ///< [1 / mesh unit], per band
-    int paddingVoxels = 6;            ///< empty voxels around the mesh: the boundary fades out over 4 b
+    std::optional<int> paddingVoxels;  ///< around the mesh; unset: 4 b and one more, over which the boundary fades out
 };
 
 /// An index field and what the user should hear about it.
@@ -28,8 +28,11 @@ struct VoxelizedMesh {
     double meshVolume = 0.0;          ///< divergence theorem
     double voxelizedVolume = 0.0;
     WallThickness walls;
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings;  ///< for the user, one line each
 };
+
+/// The lattice around a mesh, centred on it. Throws Error kUsage for options out of range.
+Lattice latticeAround(const Bounds& bounds, const VoxelizeOptions& options);
 
 /// Coverage of a boundary of width b around the surface: erfc(d / (sqrt 2 b)) / 2; b = 0: by area within a voxel.
 /// `distance` and `b` in the same unit; `voxel` is used where b = 0.
