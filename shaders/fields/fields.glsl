@@ -1,5 +1,11 @@
 // The optical constants of the scene at a world position. Only what an effect asks for has a texture.
 #include "fields/trilinear.glsl"
+#include "shared/domain_block.h"
+
+// A grid on the domain's lattice at a world position.
+vec4 sampleGrid(sampler3D grid, vec3 x) {
+    return sampleTrilinear(grid, (x - domainMin) * domainScale);
+}
 
 struct Optics {
     float n;

@@ -70,3 +70,12 @@ Crossing crossingAfter(Crossing crossing, bool inBand, real3 w, real n, real3 gr
 real crossingEndIndex(Crossing crossing, bool inBand, real n) {
     return inBand ? crossing.nLast : n;
 }
+
+// Wave vector of the ray that the interface reflects, for a crossing that ends with wave vector w: the tangential part is
+// kept, the normal part is the incident one turned round.
+real3 crossingReflected(Crossing crossing, real3 w) {
+    real3 tangential = w - crossing.normal * dot(w, crossing.normal);
+    real normalPart =
+        sqrt(max(crossing.nStart * crossing.nStart - crossing.wTangential * crossing.wTangential, 0.0));
+    return tangential - crossing.normal * (crossing.sideAtStart * normalPart);
+}

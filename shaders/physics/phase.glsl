@@ -8,3 +8,14 @@ real henyeyGreenstein(real cosTheta, real g) {
     base = max(base, 1.0e-12);  // zero only at |g| = 1, where the function is a delta
     return (1.0 - g * g) / (4.0 * kPi * base * sqrt(base));
 }
+
+// Phase function for light of several arrivals known by its first two moments: Henyey-Greenstein about the flux vector F
+// with g |F|/E in place of g (docs/physics.md, section 5). lightDirection is F/E; a ray from the eye travels along
+// viewDirection, so that the light goes the other way.
+real phaseOfFlux(real3 viewDirection, real3 lightDirection, real g) {
+    real directed = length(lightDirection);
+    if (directed < 1.0e-6) {
+        return henyeyGreenstein(0.0, 0.0);
+    }
+    return henyeyGreenstein(-dot(viewDirection, lightDirection) / directed, g * min(directed, 1.0));
+}

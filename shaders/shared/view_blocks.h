@@ -1,0 +1,123 @@
+#pragma once
+// What the stages of the viewer hand to each other.
+
+#ifdef __cplusplus
+#include <cstddef>
+
+#include <glm/glm.hpp>
+
+#include "shaders/shared/bindings.h"
+
+namespace eikonal::gpu {
+
+using glm::ivec2;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = unsigned int;
+#else
+#include "shared/bindings.h"
+#endif
+
+const int kUniformView = 1;
+
+const int kStorageRays = 0;      // RayState, one a ray
+const int kStorageGiven = 1;     // GivenRay, one a ray
+const int kStorageFilm = 2;      // FilmPixel, one a pixel
+const int kStorageDisplay = 3;   // vec4, one a pixel
+const int kStorageCounters = 4;  // rays that entered and field evaluations, each low word, high word
+
+const int kRaysPerGroup = 64;
+
+// Where a ray is in its life.
+const uint kMarching = 0u;
+const uint kExited = 1u;
+const uint kHitOpaque = 2u;
+const uint kStepLimit = 3u;
+const uint kMissed = 4u;      // never entered the domain
+const uint kAttenuated = 5u;  // nothing behind it can be seen
+
+// A ray under way. Radiance is basic radiance, L/n^2, until the shade stage makes a pixel's of it.
+struct RayState {
+    vec3 x;               // position [scene units]
+    float length;         // path inside the domain [scene units]
+    vec3 w;               // wave vector
+    float opticalLength;  // integral of n over the path [scene units]
+    vec3 depth;           // optical depth of extinction by band
+    uint evaluations;     // of the index field
+    vec3 transmittance;   // exp(-depth)
+    uint status;
+    vec3 radiance;
+    float throughputS;    // Fresnel transmittances so far, by polarisation
+    vec3 crossingNormal;  // the boundary under way (physics/boundary.glsl)
+    float throughputP;
+    float crossingGradMax;
+    float crossingStart;
+    float crossingWTangential;
+    float crossingSide;
+    float n;              // index at the last evaluation
+    float nCamera;        // index where the ray starts
+    float entryDistance;  // from the start to the domain [scene units]
+    float pad;
+};
+
+struct GivenRay {
+    vec3 origin;
+    float pad0;
+    vec3 direction;  // unit
+    float pad1;
+};
+
+struct FilmPixel {
+    vec3 radiance;       // sum over samples
+    float steps;         // of the ray through the pixel's centre, like all that follows
+    vec3 exitDirection;
+    float entryDistance;
+    vec3 depth;
+    float opticalLength;
+    vec3 throughput;     // of the background behind
+    float pad;
+};
+
+#ifdef __cplusplus
+struct ViewBlock {
+#else
+layout(std140, binding = kUniformView) uniform ViewBlock {
+#endif
+    vec3 cameraPosition;      // [scene units]
+    float stepLength;         // [scene units]
+    vec3 cameraRight;         // half the image's width at distance 1
+    float minThroughput;      // below it a ray ends
+    vec3 cameraUp;            // half its height
+    float environmentAngle;   // about +Y [radians]
+    vec3 cameraForward;       // unit
+    float environmentScale;   // factor on the map
+    vec3 horizon;             // radiance of the gradient, intensity included
+    uint rayCount;
+    vec3 zenith;
+    uint stepsPerSlice;
+    vec3 lightMin;            // lower corner of the baked light's box [scene units]
+    uint maxEvaluations;
+    vec3 lightScale;          // texture coordinate per scene unit
+    float opaqueOffset;       // distance off a surface at which light is looked up [scene units]
+    ivec2 imageSize;          // [pixels]
+    ivec2 tileOrigin;
+    ivec2 tileSize;
+    vec2 subPixel;            // sample position within each pixel, 0 to 1
+    float exposureScale;
+    uint sampleIndex;
+    float sampleWeight;       // 1 / samples
+    float viewPad;
+    vec4 ambient[6];          // cosine-weighted mean radiance about +X, -X, +Y, -Y, +Z, -Z
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(RayState) == 128 && offsetof(RayState, crossingGradMax) == 96);
+static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, depth) == 32 && offsetof(RayState, status) == 60);
+static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 64);
+static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
+static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
+static_assert(sizeof(ViewBlock) == 272);
+
+} // namespace eikonal::gpu
+#endif

@@ -1,0 +1,53 @@
+// Adds a sample of every pixel to the film, and the tile's counts to the statistics. Everything but radiance is taken from
+// the ray through the pixel's centre, sample 0.
+#include "viewer/ray_states.glsl"
+
+layout(local_size_x = kRaysPerGroup) in;
+
+layout(std430, binding = kStorageFilm) buffer Film { FilmPixel film[]; };
+layout(std430, binding = kStorageCounters) buffer Counters { uint counters[4]; };
+
+shared uint groupEntered;
+shared uint groupEvaluations;
+
+void addToCounter(int counter, uint value) {
+    uint before = atomicAdd(counters[2 * counter], value);
+    if (before + value < before) {
+        atomicAdd(counters[2 * counter + 1], 1u);
+    }
+}
+
+void develop(uint index, RayState ray) {
+    FilmPixel pixel = film[index];
+    if (sampleIndex == 0u) {
+        pixel.radiance = vec3(0.0);
+        pixel.exitDirection = unitDirection(ray);
+        pixel.steps = ray.evaluations > 0u ? float(ray.evaluations - 1u) : 0.0;
+        pixel.depth = ray.depth;
+        pixel.entryDistance = ray.entryDistance;
+        pixel.throughput = rayThroughput(ray);
+        pixel.opticalLength = ray.opticalLength;
+    }
+    pixel.radiance += sampleWeight * ray.radiance;
+    film[index] = pixel;
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (gl_LocalInvocationIndex == 0u) {
+        groupEntered = 0u;
+        groupEvaluations = 0u;
+    }
+    barrier();
+    if (index < rayCount) {
+        RayState ray = rays[index];
+        develop(index, ray);
+        atomicAdd(groupEntered, ray.status == kMissed ? 0u : 1u);
+        atomicAdd(groupEvaluations, ray.evaluations);
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0u) {
+        addToCounter(0, groupEntered);
+        addToCounter(1, groupEvaluations);
+    }
+}

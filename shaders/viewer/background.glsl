@@ -1,0 +1,16 @@
+// Radiance of the environment by direction of view.
+#include "physics/environment.glsl"
+#include "shared/view_blocks.h"
+
+#ifdef ENVIRONMENT_IMAGE
+layout(binding = kUnitEnvironment) uniform sampler2D environmentMap;
+
+vec3 background(vec3 direction) {
+    vec2 uv = latLongFromDirection(turnedAboutY(direction, environmentAngle));
+    return textureLod(environmentMap, uv, 0.0).rgb * environmentScale;
+}
+#else
+vec3 background(vec3 direction) {
+    return gradientRadiance(direction, horizon, zenith);
+}
+#endif

@@ -1,0 +1,70 @@
+// Camera rays, or rays that are given, moved to where they enter the domain; there |w| = n, since its faces do not refract.
+#include "viewer/ray_states.glsl"
+#include "fields/fields.glsl"
+#include "physics/box.glsl"
+
+layout(local_size_x = kRaysPerGroup) in;
+
+#ifdef RAYS_GIVEN
+layout(std430, binding = kStorageGiven) readonly buffer Given { GivenRay given[]; };
+#endif
+
+RayState rayAt(vec3 origin, vec3 direction) {
+    RayState ray;
+    ray.x = origin;
+    ray.length = 0.0;
+    ray.w = direction;
+    ray.opticalLength = 0.0;
+    ray.depth = vec3(0.0);
+    ray.evaluations = 0u;
+    ray.transmittance = vec3(1.0);
+    ray.status = kMissed;
+    ray.radiance = vec3(0.0);
+    ray.throughputS = 1.0;
+    ray.crossingNormal = vec3(0.0);
+    ray.throughputP = 1.0;
+    ray.crossingGradMax = 0.0;
+    ray.crossingStart = 1.0;
+    ray.crossingWTangential = 0.0;
+    ray.crossingSide = 0.0;
+    ray.n = 1.0;
+    ray.nCamera = 1.0;
+    ray.entryDistance = uintBitsToFloat(0x7f800000u);
+    ray.pad = 0.0;
+    return ray;
+}
+
+RayState enterDomain(RayState ray) {
+    BoxSpan span = boxSpan(ray.x, ray.w, domainMin, domainMax);
+    float enter = max(span.enter, 0.0);
+    if (span.leave <= enter) {
+        return ray;
+    }
+    RayState entered = ray;
+    entered.status = kMarching;
+    entered.x = clamp(ray.x + ray.w * enter, domainMin, domainMax);
+    entered.n = sampleOptics(entered.x).n;
+    entered.crossingStart = entered.n;
+    entered.w = ray.w * entered.n;
+    entered.evaluations = 1u;
+    entered.entryDistance = enter;
+    entered.nCamera = span.enter <= 0.0 ? entered.n : 1.0;
+    return entered;
+}
+
+RayState initialRay(uint index) {
+#ifdef RAYS_GIVEN
+    return rayAt(given[index].origin, given[index].direction);
+#else
+    vec2 position = vec2(tileOrigin + tilePixel(index)) + subPixel;
+    vec2 screen = 2.0 * position / vec2(imageSize) - 1.0;
+    return rayAt(cameraPosition, normalize(cameraForward + cameraRight * screen.x - cameraUp * screen.y));
+#endif
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index < rayCount) {
+        rays[index] = enterDomain(initialRay(index));
+    }
+}

@@ -1,0 +1,64 @@
+// What a ray sees at its end: the environment, or an opaque surface. Makes the pixel's radiance of basic radiance.
+#include "viewer/ray_states.glsl"
+#include "fields/fields.glsl"
+#include "physics/phase.glsl"
+#include "viewer/background.glsl"
+#include "viewer/light.glsl"
+
+layout(local_size_x = kRaysPerGroup) in;
+
+#ifdef EFFECT_OPAQUE
+
+// Outward normal from the coverage around x; where that is flat, on a cut face of the matter, towards the eye.
+vec3 surfaceNormal(vec3 x, vec3 direction) {
+    vec3 gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+        vec3 offset = vec3(0.0);
+        offset[axis] = domainVoxel;
+        gradient[axis] = sampleOpaque(x + offset).a - sampleOpaque(x - offset).a;
+    }
+    float magnitude = length(gradient);
+    return magnitude > 1e-4 ? -gradient / magnitude : -direction;
+}
+
+// Mean radiance of the environment over the hemisphere of a normal, weighted by the cosine: a blend of the values about
+// the axes. Nothing shades it.
+vec3 ambientRadiance(vec3 normal) {
+    vec3 weight = normal * normal;
+    return weight.x * ambient[normal.x >= 0.0 ? 0 : 1].rgb + weight.y * ambient[normal.y >= 0.0 ? 2 : 3].rgb +
+           weight.z * ambient[normal.z >= 0.0 ? 4 : 5].rgb;
+}
+
+// A diffuse surface under the baked light, looked up a voxel off it, and under the environment.
+vec3 surfaceRadiance(vec3 x, vec3 direction) {
+    vec3 normal = surfaceNormal(x, direction);
+    vec3 received = ambientRadiance(normal);
+#ifdef BAKED_LIGHT
+    vec3 above = x + normal * opaqueOffset;
+    received += sampleIrradiance(above) * (max(-dot(sampleLightDirection(above), normal), 0.0) / kPi);
+#endif
+    // Coverage thins out over the last voxel of an object, and its albedo with it is only certain inside.
+    return sampleOpaque(x - 0.5 * normal * domainVoxel).rgb * received;
+}
+
+#endif
+
+vec3 radianceBehind(RayState ray) {
+    vec3 direction = unitDirection(ray);
+#ifdef EFFECT_OPAQUE
+    if (ray.status == kHitOpaque) {
+        return surfaceRadiance(ray.x, direction) / (ray.n * ray.n);
+    }
+#endif
+    return ray.status == kAttenuated ? vec3(0.0) : background(direction);
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= rayCount) {
+        return;
+    }
+    RayState ray = rays[index];
+    vec3 basic = ray.radiance + rayThroughput(ray) * radianceBehind(ray);
+    rays[index].radiance = ray.nCamera * ray.nCamera * basic;
+}

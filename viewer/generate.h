@@ -1,0 +1,23 @@
+#pragma once
+// First step: camera rays, or rays that are given, at the places where they enter the domain.
+
+#include <span>
+#include <vector>
+
+#include "viewer/ray_batch.h"
+
+namespace eikonal::viewer {
+
+class Generate {
+public:
+    enum class Source { kCamera, kGiven };
+
+    Generate(const gpu::Context& context, std::vector<std::string> defines, Source source);
+
+    void run(const RayBatch& batch) const { kernel_.dispatch(batch.groups()); }
+
+private:
+    gpu::Kernel kernel_;
+};
+
+} // namespace eikonal::viewer

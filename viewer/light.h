@@ -1,0 +1,33 @@
+#pragma once
+// The baked light as textures of the viewer.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/baked_light.h"
+#include "viewer/ray_batch.h"
+
+namespace eikonal::viewer {
+
+class Light {
+public:
+    /// Uploads a bake; nullptr: no light, no texture.
+    Light(const gpu::Context& context, const BakedLight* bake);
+
+    void configure(gpu::ViewBlock& view) const;
+    void bind() const;
+    /// "BAKED_LIGHT" if there is one.
+    std::vector<std::string> defines() const;
+    std::vector<std::pair<std::string, std::size_t>> textures() const;
+
+private:
+    struct Textures {
+        Lattice lattice;
+        gpu::Texture3D irradiance, direction;
+    };
+    std::optional<Textures> textures_;
+};
+
+} // namespace eikonal::viewer

@@ -1,0 +1,67 @@
+#include "viewer/march.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/error.h"
+
+namespace eikonal::viewer {
+
+namespace {
+
+// Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included.
+constexpr std::uint32_t kIterationsPerDispatch = 4096;
+constexpr std::uint32_t kLeastEvaluations = 4096;
+constexpr double kDiagonals = 8.0;
+
+double checkedStep(double stepVoxels) {
+    if (!(stepVoxels > 0.0) || !std::isfinite(stepVoxels)) {
+        throw badInput("accuracy.step: expected a positive number of voxels, found " + std::to_string(stepVoxels));
+    }
+    return stepVoxels;
+}
+
+std::uint32_t samplesPerHalfOf(double stepVoxels) {
+    return stepVoxels <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * stepVoxels, 256.0)));
+}
+
+std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& lattice) {
+    if (settings.maxEvaluations > 0) return settings.maxEvaluations;
+    const double diagonalSteps = glm::length(glm::dvec3(lattice.size)) / settings.stepVoxels;
+    return std::max(kLeastEvaluations, std::uint32_t(std::min(kDiagonals * diagonalSteps, 1e9)));
+}
+
+std::vector<std::string> withSamples(std::vector<std::string> defines, std::uint32_t samplesPerHalf) {
+    defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalf));
+    return defines;
+}
+
+} // namespace
+
+March::March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
+             const Lattice& lattice)
+    : samplesPerHalf_(samplesPerHalfOf(checkedStep(settings.stepVoxels))),
+      maxEvaluations_(evaluationLimit(settings, lattice)),
+      stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
+                                                : kIterationsPerDispatch / (1 + 2 * samplesPerHalf_)),
+      stepLength_(settings.stepVoxels * lattice.voxel),
+      kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)) {}
+
+void March::configure(gpu::ViewBlock& view) const {
+    view.stepLength = float(stepLength_);
+    view.maxEvaluations = maxEvaluations_;
+    view.stepsPerSlice = stepsPerSlice_;
+}
+
+void March::run(const RayBatch& batch) const {
+    for (std::uint32_t slice = 0; runSlice(batch, slice); ++slice) {
+    }
+}
+
+bool March::runSlice(const RayBatch& batch, std::uint32_t slice) const {
+    kernel_.dispatch(batch.groups());
+    // Every step of a ray that goes on is an evaluation.
+    return (std::uint64_t(slice) + 1) * stepsPerSlice_ < maxEvaluations_;
+}
+
+} // namespace eikonal::viewer

@@ -1,0 +1,47 @@
+#pragma once
+// Rays through a scene's index field, by the kernel that marches the viewing rays.
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "common/effects.h"
+#include "common/gpu/context.h"
+
+namespace eikonal {
+
+struct TraceRay {
+    glm::dvec3 origin{0.0};     ///< [scene units]
+    glm::dvec3 direction{0.0};  ///< any length but 0
+};
+
+enum class TraceStatus { kExited, kAbsorbed, kLimit, kMissed };
+/// `exited`, `absorbed` (hit something opaque), `limit` (of steps) or `missed` (never entered the domain).
+std::string_view traceStatusName(TraceStatus status);
+
+/// A ray at its end, or after a step. A ray that missed repeats its input, with zeros.
+struct TraceResult {
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{0.0};   ///< unit
+    double opticalLength = 0.0;  ///< integral of n ds inside the domain [scene units]
+    double length = 0.0;         ///< [scene units]
+    glm::dvec3 depth{0.0};       ///< integral of sigma_a ds by band
+    std::uint32_t evaluations = 0;  ///< of the index field
+    TraceStatus status = TraceStatus::kMissed;
+};
+
+struct TracePoint {
+    std::size_t ray = 0;  ///< row of the input
+    TraceResult at;       ///< status kExited while the ray is under way
+};
+
+/// Follows rays from where they enter the domain, or start inside, to where they leave; one result a ray, in order.
+/// Of `effects`, refraction, absorption and opaque count. Throws badInput for a step that is not positive.
+std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
+                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays);
+
+/// The same with every step: the entry, then each step's end; ray after ray.
+std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
+                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays);
+
+} // namespace eikonal

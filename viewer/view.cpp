@@ -1,0 +1,64 @@
+#include "viewer/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal::viewer {
+
+namespace {
+
+constexpr double kGaussianSigmaPixels = 0.5;
+constexpr double kPlastic = 1.32471795724474602596;  // root of x^3 = x + 1, of which the R2 sequence is made
+
+glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
+    const double magnitude = glm::length(v);
+    return magnitude > 1e-12 ? v / magnitude : otherwise;
+}
+
+} // namespace
+
+void configureCamera(gpu::ViewBlock& view, const Camera& camera, const glm::ivec2& imageSize) {
+    const glm::dvec3 forward = unitOr(camera.lookAt - camera.position, {0.0, 0.0, -1.0});
+    const glm::dvec3 sideways = std::abs(forward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, -1.0);
+    const glm::dvec3 fallback = glm::normalize(glm::cross(forward, sideways));
+    const glm::dvec3 right = unitOr(glm::cross(forward, camera.up), fallback);
+    const double halfHeight = std::tan(glm::radians(camera.fov) / 2.0);
+    const double halfWidth = halfHeight * imageSize.x / imageSize.y;
+    view.cameraPosition = glm::vec3(camera.position);
+    view.cameraForward = glm::vec3(forward);
+    view.cameraRight = glm::vec3(right * halfWidth);
+    view.cameraUp = glm::vec3(glm::cross(right, forward) * halfHeight);
+    view.imageSize = imageSize;
+}
+
+void configureTile(gpu::ViewBlock& view, const Tile& tile) {
+    view.tileOrigin = tile.origin;
+    view.tileSize = tile.size;
+    view.rayCount = gpu::uint(tile.pixels());
+}
+
+glm::vec2 subPixelPosition(int sample, PixelFilter filter) {
+    const glm::dvec2 step(1.0 / kPlastic, 1.0 / (kPlastic * kPlastic));
+    const glm::dvec2 uniform = glm::fract(0.5 + double(sample) * step);
+    if (filter == PixelFilter::kBox || sample == 0) return glm::vec2(uniform);
+    // Box-Muller; the first coordinate is kept off 0, where the logarithm ends.
+    const double radius = kGaussianSigmaPixels * std::sqrt(-2.0 * std::log(1.0 - 0.999999 * uniform.x));
+    const double angle = 2.0 * 3.14159265358979323846 * uniform.y;
+    return glm::vec2(0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle));
+}
+
+std::vector<Tile> tilesOf(const glm::ivec2& imageSize, std::size_t mostPixels) {
+    const int most = int(std::clamp<std::size_t>(mostPixels, 1, 1u << 24));
+    const int width = std::min(imageSize.x, most);
+    const int height = std::max(1, most / std::max(width, 1));
+    std::vector<Tile> tiles;
+    for (int y = 0; y < imageSize.y; y += height) {
+        for (int x = 0; x < imageSize.x; x += width) {
+            const glm::ivec2 origin(x, y);
+            tiles.push_back({origin, glm::min(glm::ivec2(width, height), imageSize - origin)});
+        }
+    }
+    return tiles;
+}
+
+} // namespace eikonal::viewer

@@ -1,0 +1,31 @@
+#pragma once
+// The camera's part of the block that all stages read, and the tiles of an image.
+
+#include <vector>
+
+#include "common/scene.h"
+#include "shaders/shared/view_blocks.h"
+
+namespace eikonal::viewer {
+
+/// Filter of a pixel: samples are distributed by it, so that all weigh the same.
+enum class PixelFilter { kBox, kGaussian };
+
+struct Tile {
+    glm::ivec2 origin{0}, size{0};  ///< [pixels]
+    std::size_t pixels() const { return std::size_t(size.x) * std::size_t(size.y); }
+};
+
+/// Sets camera and image size. A camera that looks along `up`, or at its own position, gets another `up` or direction.
+void configureCamera(gpu::ViewBlock& view, const Camera& camera, const glm::ivec2& imageSize);
+
+void configureTile(gpu::ViewBlock& view, const Tile& tile);
+
+/// Position of a sample within its pixel: the R2 low-discrepancy sequence, sample 0 at the centre. Gaussian samples
+/// (sigma half a pixel) may lie outside 0 to 1.
+glm::vec2 subPixelPosition(int sample, PixelFilter filter);
+
+/// Tiles of at most `mostPixels` that cover an image, row after row.
+std::vector<Tile> tilesOf(const glm::ivec2& imageSize, std::size_t mostPixels);
+
+} // namespace eikonal::viewer
