@@ -1,5 +1,6 @@
 // The executable: parses the command line, runs one command, turns failures into messages and exit codes.
 
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -55,7 +56,7 @@ ExitCode run(int argc, char** argv) {
     try {
         const ExitCode code = parseAndRun(argc, argv);
         std::cout.flush();
-        if (!std::cout) {
+        if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
             throw eikonal::failure("stdout: expected to write the results; the device took no more (is the disk full?)");
         }
         return code;

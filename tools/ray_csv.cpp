@@ -6,9 +6,10 @@
 #include <cmath>
 #include <fstream>
 #include <istream>
+#include <iterator>
 #include <string_view>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "common/error.h"
 
@@ -117,7 +118,35 @@ RayRow parseRow(std::string_view line, const ColumnPlaces& places, std::size_t c
     return row;
 }
 
+constexpr std::string_view kResultHeader =
+    "x,y,z,dx,dy,dz,optical_length,length,depth_r,depth_g,depth_b,steps,status\n";
+
+void appendResult(std::string& text, const TraceResult& result) {
+    const glm::dvec3& x = result.position;
+    const glm::dvec3& d = result.direction;
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", x.x, x.y, x.z, d.x, d.y, d.z,
+                   result.opticalLength, result.length, result.depth.r, result.depth.g, result.depth.b,
+                   result.evaluations, traceStatusName(result.status));
+}
+
 } // namespace
+
+std::string resultsCsv(const std::vector<TraceResult>& results) {
+    std::string text(kResultHeader);
+    for (const TraceResult& result : results) {
+        appendResult(text, result);
+    }
+    return text;
+}
+
+std::string pointsCsv(const std::vector<TracePoint>& points) {
+    std::string text = "ray," + std::string(kResultHeader);
+    for (const TracePoint& point : points) {
+        fmt::format_to(std::back_inserter(text), "{},", point.ray);
+        appendResult(text, point.at);
+    }
+    return text;
+}
 
 std::vector<RayRow> readRayCsv(std::istream& stream, const std::string& name) {
     std::string line;

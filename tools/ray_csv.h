@@ -9,6 +9,8 @@
 
 #include <glm/glm.hpp>
 
+#include "viewer/trace.h"
+
 namespace eikonal {
 
 /// A row of the input: a start and a direction that need not be normalised, as they were written.
@@ -25,5 +27,11 @@ std::vector<RayRow> readRayCsv(const std::filesystem::path& path);
 
 /// The same from a stream; `name` stands in messages.
 std::vector<RayRow> readRayCsv(std::istream& stream, const std::string& name);
+
+/// Columns x, y, z, dx, dy, dz, optical_length, length, depth_r, depth_g, depth_b, steps, status; numbers so that they
+/// read back the same.
+std::string resultsCsv(const std::vector<TraceResult>& results);
+/// The same with a column `ray` in front, the row of the input from 0.
+std::string pointsCsv(const std::vector<TracePoint>& points);
 
 } // namespace eikonal

@@ -57,4 +57,25 @@ nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effec
     };
 }
 
+nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& effects) {
+    nlohmann::json seconds = nlohmann::json::object();
+    for (const auto& [stage, value] : statistics.seconds) {
+        seconds[stage] = value;
+    }
+    nlohmann::json textures = nlohmann::json::array();
+    for (const auto& [name, bytes] : statistics.textures) {
+        textures.push_back({{"name", name}, {"bytes", bytes}});
+    }
+    return {
+        {"seconds", seconds},
+        {"rays", statistics.rays},
+        {"steps", statistics.steps},
+        {"field_evaluations", statistics.fieldEvaluations},
+        {"effects", effectsJson(effects)},
+        {"device", statistics.device},
+        {"memory_bytes", statistics.memoryBytes},
+        {"textures", textures},
+    };
+}
+
 } // namespace eikonal

@@ -5,11 +5,13 @@
 
 #include "common/effects.h"
 #include "lightsim/bake.h"
+#include "viewer/render.h"
 
 namespace eikonal {
 
 nlohmann::json energyJson(const EnergyLedger& energy);
 nlohmann::json effectsJson(const EffectSet& effects);
 nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effects);
+nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& effects);
 
 } // namespace eikonal

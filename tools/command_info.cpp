@@ -1,0 +1,119 @@
+#include "tools/command_info.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "common/effects.h"
+#include "common/fields.h"
+#include "common/scene_summary.h"
+#include "common/vdb_io.h"
+#include "tools/scene_arguments.h"
+
+namespace eikonal {
+
+namespace {
+
+using nlohmann::json;
+
+struct InfoArguments {
+    SceneArguments scene;
+    bool asJson = false;
+};
+
+bool isVolume(const std::string& file) { return std::filesystem::path(file).extension() == ".vdb"; }
+
+/// Numbers in six digits, lists in parentheses, text without quotes.
+std::string plain(const json& value) {
+    if (value.is_array()) {
+        std::string text;
+        for (const json& element : value) {
+            text += (text.empty() ? "" : ", ") + plain(element);
+        }
+        return "(" + text + ")";
+    }
+    if (value.is_number_float()) {
+        return fmt::format("{:.6g}", value.get<double>());
+    }
+    return value.is_string() ? value.get<std::string>() : value.is_null() ? std::string("none") : value.dump();
+}
+
+void printMetadata(const json& metadata, const std::string& indent) {
+    for (const auto& [key, value] : metadata.items()) {
+        const std::string text = plain(value);
+        if (text.find('\n') == std::string::npos) {
+            fmt::print("{}{}: {}\n", indent, key, text);
+        } else {
+            const auto lines = std::count(text.begin(), text.end(), '\n');
+            fmt::print("{}{}: text of {} lines (shown with --json)\n", indent, key, lines);
+        }
+    }
+}
+
+void printVolume(const json& summary) {
+    fmt::print("{}\n", plain(summary["file"]));
+    printMetadata(summary["metadata"], "  ");
+    for (const json& grid : summary["grids"]) {
+        const json& size = grid["size"];
+        fmt::print("\n{} ({}, {})\n", plain(grid["name"]), plain(grid["type"]), plain(grid["class"]));
+        fmt::print("  size: {} x {} x {} voxels, {} active\n", plain(size[0]), plain(size[1]), plain(size[2]),
+                   plain(grid["active_voxels"]));
+        fmt::print("  voxel: {}\n", plain(grid["voxel_size"]));
+        fmt::print("  world box: {} to {}\n", plain(grid["world_min"]), plain(grid["world_max"]));
+        fmt::print("  values: {} to {}, background {}\n", plain(grid["min"]), plain(grid["max"]),
+                   plain(grid["background"]));
+        printMetadata(grid["metadata"], "  ");
+    }
+}
+
+void printEffects(const json& effects) {
+    for (const json& row : effects) {
+        fmt::print("  {:<12} {:<4} {}\n", plain(row["name"]), row["on"].get<bool>() ? "on" : "off", plain(row["why"]));
+    }
+}
+
+json summaryOf(const InfoArguments& arguments) {
+    if (isVolume(arguments.scene.file)) {
+        return vdbSummary(arguments.scene.file);
+    }
+    return sceneSummary(sceneOf(arguments.scene));
+}
+
+void printScene(const json& summary) {
+    for (const auto& [key, value] : summary.items()) {
+        if (!value.is_structured()) {
+            fmt::print("{}: {}\n", key, plain(value));
+        }
+    }
+    fmt::print("effects:\n");
+    printEffects(summary["effects"]);
+}
+
+void runInfo(const InfoArguments& arguments) {
+    const json summary = summaryOf(arguments);
+    if (arguments.asJson) {
+        fmt::print("{}\n", summary.dump(2));
+    } else if (isVolume(arguments.scene.file)) {
+        printVolume(summary);
+    } else {
+        printScene(summary);
+    }
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& program, const ProgramOptions&) {
+    CLI::App* command = program.add_subcommand("info", "what a volume or a scene holds, and what a scene costs");
+    auto arguments = std::make_shared<InfoArguments>();
+    addSceneArguments(*command, arguments->scene);
+    command->get_option("scene")->type_name("FILE")->description("a VDB or a scene (TOML)");
+    command->add_flag("--json", arguments->asJson, "everything, as JSON");
+    command->footer("Example:\n  eikonal info volumes/glass_sphere.toml --set domain.resolution=128");
+    command->callback([arguments] { runInfo(*arguments); });
+}
+
+} // namespace eikonal

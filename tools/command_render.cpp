@@ -1,0 +1,160 @@
+#include "tools/command_render.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "common/effects.h"
+#include "common/fields.h"
+#include "common/gpu/context.h"
+#include "common/image_io.h"
+#include "common/interrupt.h"
+#include "common/output_file.h"
+#include "common/scene_toml.h"
+#include "lightsim/bake.h"
+#include "tools/bake_file.h"
+#include "tools/scene_arguments.h"
+#include "tools/statistics_json.h"
+#include "tools/terminal.h"
+#include "viewer/render.h"
+
+namespace eikonal {
+
+namespace {
+
+struct RenderArguments {
+    SceneArguments scene;
+    std::string output;
+    std::string bake;
+    std::string statistics;
+    bool force = false;
+};
+
+constexpr std::array<std::string_view, 4> kExtensions{".exr", ".png", ".jpg", ".jpeg"};
+
+std::string lowerExtension(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+/// Empty if the name of an image ends as one that can be written, else what is wrong: a check of CLI11.
+std::string checkImageName(const std::string& file) {
+    const std::string extension = lowerExtension(file);
+    const bool known = std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+    return known ? std::string() : fmt::format("expected a name that ends in .exr, .png or .jpg, found '{}'", file);
+}
+
+void requireOutputs(const RenderArguments& arguments) {
+    requireWritable(arguments.output);
+    if (!arguments.statistics.empty()) {
+        requireWritable(arguments.statistics);
+    }
+}
+
+/// The scene's light: from a file, simulated now, or none where nothing would show it.
+struct Light {
+    std::optional<BakedLight> baked;
+    std::optional<BakeStatistics> statistics;  ///< where it was simulated now
+};
+
+Light lightOf(const RenderArguments& arguments, const gpu::Context& context, const Scene& scene, const Fields& fields,
+              const EffectSet& effects, Progress& progress) {
+    if (!arguments.bake.empty()) {
+        const OtherScene otherScene = arguments.force ? OtherScene::kAccept : OtherScene::kRefuse;
+        return {readBakeFile(arguments.bake, scene, otherScene), std::nullopt};
+    }
+    if (!effects.wantsLight(scene)) {
+        return {};
+    }
+    BakeOptions options;
+    options.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
+    BakeResult result = bakeScene(context, scene, fields, effects, options);
+    return {std::move(result.light), std::move(result.statistics)};
+}
+
+void writeImage(const RenderArguments& arguments, const Scene& scene, const RenderResult& image) {
+    if (lowerExtension(arguments.output) != ".exr") {
+        writeDisplay(arguments.output, image.size, image.display);
+        return;
+    }
+    std::vector<ImageChannel> channels;
+    for (const RenderChannel& channel : image.channels) {
+        channels.push_back({channel.name, &channel.values});
+    }
+    writeExr(arguments.output, image.size, channels,
+             {{"software", fmt::format("{} {}", kCreator, kVersion)}, {"scene", resolvedToml(scene)}});
+}
+
+void writeStatistics(const std::string& file, const RenderResult& image, const Light& light, const EffectSet& effects) {
+    nlohmann::json statistics = renderJson(image.statistics, effects);
+    if (light.statistics) {
+        statistics["bake"] = bakeJson(*light.statistics, effects);
+    }
+    writeFile(file, statistics.dump(2) + "\n");
+}
+
+void runRender(const RenderArguments& arguments, const ProgramOptions& options) {
+    requireOutputs(arguments);
+    const Scene scene = sceneOf(arguments.scene);
+    const gpu::Context context = gpu::Context::windowless();
+    Progress progress(options);
+    progress.update("composing fields", 0.0);
+    const Fields fields = composeFields(scene);
+    const EffectSet effects = decideEffects(scene, fields);
+    const Light light = lightOf(arguments, context, scene, fields, effects, progress);
+    RenderOptions renderOptions;
+    renderOptions.progress = [&progress](double fraction) {
+        throwIfInterrupted();
+        progress.update("rendering", fraction);
+    };
+    const RenderResult image =
+        renderScene(context, scene, fields, effects, light.baked ? &*light.baked : nullptr, renderOptions);
+    progress.finish();
+
+    writeImage(arguments, scene, image);
+    if (!arguments.statistics.empty()) {
+        writeStatistics(arguments.statistics, image, light, effects);
+    }
+    note(options, fmt::format("{}: {} x {} pixels, {} samples each, in {:.2f} s", arguments.output, image.size.x,
+                              image.size.y, scene.render.samples, image.statistics.seconds.back().second));
+}
+
+void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
+    const RenderSettings defaults;
+    addSceneArguments(command, arguments.scene);
+    command
+        .add_option("-o,--output", arguments.output,
+                    "image to write: .exr is linear with further channels, .png and .jpg are tone-mapped")
+        ->required()
+        ->type_name("IMAGE")
+        ->check(checkImageName);
+    command.add_option("--bake", arguments.bake, "light from `eikonal bake` [simulated where the scene shows light]")
+        ->type_name("BAKE.vdb");
+    command.add_flag("--force", arguments.force, "use the bake even if it was made for another scene");
+    addSizeKey(command, arguments.scene,
+               {"--size", "render.size", "WxH",
+                fmt::format("pixels [the scene's, else {}x{}]", defaults.size.x, defaults.size.y)});
+    addIntegerKey(command, arguments.scene,
+                  {"--samples", "render.samples", "N",
+                   fmt::format("samples per pixel [the scene's, else {}]", defaults.samples)});
+    command.add_option("--stats", arguments.statistics, "write seconds, rays and steps as JSON")->type_name("FILE.json");
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& program, const ProgramOptions& options) {
+    CLI::App* command = program.add_subcommand("render", "one image of a scene, along curved rays");
+    auto arguments = std::make_shared<RenderArguments>();
+    addRenderOptions(*command, *arguments);
+    command->footer("Example:\n  eikonal render volumes/glass_sphere.toml -o sphere.png --size 640x480 --samples 4");
+    command->callback([arguments, &options] { runRender(*arguments, options); });
+}
+
+} // namespace eikonal
