@@ -33,7 +33,10 @@ std::string didYouMean(std::string_view word, const std::vector<std::string_view
             best = candidate;
         }
     }
-    return best.empty() ? std::string() : ", did you mean '" + std::string(best) + "'?";
+    std::string hint;
+    if (!best.empty())
+        hint.append(", did you mean '").append(best).append("'?");
+    return hint;
 }
 
 std::string listNames(const std::vector<std::string_view>& names) {
@@ -41,7 +44,9 @@ std::string listNames(const std::vector<std::string_view>& names) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (i > 0)
             text += i + 1 == names.size() ? " or " : ", ";
-        text += "'" + std::string(names[i]) + "'";
+        text += '\'';
+        text += names[i];
+        text += '\'';
     }
     return text;
 }

@@ -1,0 +1,49 @@
+#pragma once
+// One object as it lies on the domain's lattice, before it is composed with the others.
+
+#include <map>
+#include <string>
+
+#include "common/lattice.h"
+#include "common/scene.h"
+
+namespace eikonal {
+
+/// How much of each voxel an object takes. An empty grid: all of every voxel.
+struct Extent {
+    DenseGrid<float> index;              ///< smoothed coverage, for the refractive index
+    DenseGrid<float> area;               ///< share of the voxel's cube, for everything else
+    DenseGrid<unsigned char> boundary;   ///< 255 in the band where the object begins; empty: it has no boundary
+    bool boundaryIsGiven = false;        ///< read off a given index: its contrast needs no further check
+
+    double indexAt(std::size_t offset) const { return index.empty() ? 1.0 : double(index.values[offset]); }
+    double areaAt(std::size_t offset) const { return area.empty() ? 1.0 : double(area.values[offset]); }
+};
+
+/// An object's extent, and the grids of its volume by our names, resampled to the lattice.
+struct ObjectLayer {
+    const Object* object = nullptr;
+    std::string label;  ///< for messages: "object 'ball'"
+    Extent extent;
+    std::map<std::string, DenseGrid<glm::vec3>> grids;
+    bool changesIndex = true;
+
+    const DenseGrid<glm::vec3>* grid(const std::string& name) const {
+        const auto found = grids.find(name);
+        return found == grids.end() ? nullptr : &found->second;
+    }
+};
+
+/// Throws badInput for meshes and volumes that cannot be used.
+ObjectLayer layerOf(const Scene& scene, const Object& object, std::size_t index, const Lattice& lattice);
+
+/// Distances [voxels], negative inside, to coverage: erfc(d / (sqrt2 b)) / 2 for the index, by area for the rest.
+Extent extentFromDistance(const DenseGrid<float>& distanceVoxels, double smoothVoxels);
+
+/// Beyond this many voxels from the surface a distance need not be known.
+double distanceBandVoxels(double smoothVoxels);
+
+/// Fills the layer of an object that is a volume.
+void fillVolumeLayer(const Scene& scene, const VolumeShape& shape, const Lattice& lattice, ObjectLayer& layer);
+
+} // namespace eikonal

@@ -1,0 +1,201 @@
+#include "common/compose_matter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/compose_terms.h"
+
+namespace eikonal {
+namespace {
+
+/// So written that full coverage gives the object's value to the bit: given grids are copied, not approximated.
+double mixed(double before, double after, double coverage) { return (1.0 - coverage) * before + coverage * after; }
+
+glm::vec3 mixed(const glm::vec3& before, const glm::dvec3& after, double coverage) {
+    return glm::vec3((1.0 - coverage) * glm::dvec3(before) + coverage * after);
+}
+
+double mean(const glm::dvec3& bands) { return (bands.x + bands.y + bands.z) / 3.0; }
+
+template <class Value>
+void ensure(DenseGrid<Value>& grid, const Lattice& lattice, const Value& fill) {
+    if (grid.empty())
+        grid = DenseGrid<Value>(lattice.size, fill);
+}
+
+bool bringsNothing(const ObjectLayer& layer, const std::string& name, const Quantity& quantity) {
+    return quantity.isZero() && !layer.grid(name);
+}
+
+auto areaOf(const ObjectLayer& layer) {
+    return [&layer](std::size_t voxel) { return layer.extent.areaAt(voxel); };
+}
+
+void composeBands(const ObjectLayer& layer, const Lattice& lattice, const Term& term, DenseGrid<glm::vec3>& grid) {
+    if (grid.empty() && bringsNothing(layer, term.name, *term.quantity))
+        return;
+    ensure(grid, lattice, glm::vec3(0.0f));
+    forCovered(layer, lattice, std::array{term}, areaOf(layer),
+               [&](std::size_t voxel, double coverage, const auto& values, const glm::dvec3&) {
+                   grid.values[voxel] = mixed(grid.values[voxel], values[0], coverage);
+               });
+}
+
+/// g is averaged with the scattering that it belongs to as weight, which keeps the mean cosine of what is scattered.
+void composeScattering(const ObjectLayer& layer, Fields& fields) {
+    const Object& object = *layer.object;
+    if (fields.sigmaS.empty() && bringsNothing(layer, "scattering", object.scattering))
+        return;
+    ensure(fields.sigmaS, fields.lattice, glm::vec3(0.0f));
+    ensure(fields.anisotropy, fields.lattice, 0.0f);
+    const std::array terms{notNegative("scattering", object.scattering), anisotropyTerm(object.anisotropy)};
+    forCovered(layer, fields.lattice, terms, areaOf(layer),
+               [&](std::size_t voxel, double coverage, const auto& values, const glm::dvec3&) {
+                   glm::vec3& sigmaS = fields.sigmaS.values[voxel];
+                   float& g = fields.anisotropy.values[voxel];
+                   const double before = (1.0 - coverage) * mean(sigmaS), added = coverage * mean(values[0]);
+                   if (before + added > 0.0)
+                       g = float((before * double(g) + added * values[1].x) / (before + added));
+                   sigmaS = mixed(sigmaS, values[0], coverage);
+               });
+}
+
+glm::dvec3 checkerAt(const Checker& checker, const glm::dvec3& local) {
+    const auto cell = [&](double x) { return std::int64_t(std::floor(x / checker.cell)); };
+    return (cell(local.x) + cell(local.z)) % 2 == 0 ? checker.a : checker.b;
+}
+
+/// A grid of albedos stands alone unless the scene gives a constant besides.
+Quantity albedoOf(const Object& object) {
+    Quantity albedo;
+    albedo.constant = object.albedo;
+    albedo.given = object.albedo != Object{}.albedo;
+    return albedo;
+}
+
+/// Values continue into voxels without weight as the mean over the neighbours that have some.
+template <class Value, class HasWeight>
+void spreadByOneVoxel(DenseGrid<Value>& grid, const HasWeight& hasWeight) {
+    const DenseGrid<Value> source = grid;
+    const glm::ivec3 size = grid.size;
+    tbb::parallel_for(0, size.z, [&](int k) {
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i) {
+                if (hasWeight(source.offset(i, j, k)))
+                    continue;
+                Value sum(0.0f);
+                int count = 0;
+                for (int n = 0; n < 27; ++n) {
+                    const glm::ivec3 v = glm::ivec3(i, j, k) + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+                    const bool within = glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) && glm::all(glm::lessThan(v, size));
+                    if (within && hasWeight(source.offset(v.x, v.y, v.z))) {
+                        sum += source.at(v);
+                        ++count;
+                    }
+                }
+                if (count > 0)
+                    grid.at(i, j, k) = sum / float(count);
+            }
+    });
+}
+
+bool allZero(const DenseGrid<glm::vec3>& grid) {
+    return std::all_of(grid.values.begin(), grid.values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); });
+}
+
+bool allZero(const DenseGrid<float>& grid) {
+    return std::all_of(grid.values.begin(), grid.values.end(), [](float v) { return v == 0.0f; });
+}
+
+void finishIndex(Fields& fields) {
+    const auto [low, high] = std::minmax_element(fields.ior.values.begin(), fields.ior.values.end());
+    fields.iorUniform = *low;
+    if (*high - *low < 1e-9f) {
+        fields.ior = {};
+        return;
+    }
+    fields.iorGradient = gradientOf(fields.ior, fields.lattice.voxel);
+}
+
+} // namespace
+
+void composeIndex(const ObjectLayer& layer, Fields& fields) {
+    if (!layer.changesIndex)
+        return;
+    constexpr double kBuried = 0.997, kLeastContrast = 1e-4;  // below it the reflectance is under 1e-9
+    const Extent& extent = layer.extent;
+    const auto inBoundary = [&](std::size_t voxel) {
+        return !extent.boundary.empty() && extent.boundary.values[voxel] != 0;
+    };
+    // The band of a sharp boundary reaches into voxels that the object does not touch.
+    const auto coverage = [&](std::size_t voxel) {
+        return std::max(extent.indexAt(voxel), inBoundary(voxel) ? 2.0 * kNoCoverage : 0.0);
+    };
+    forCovered(layer, fields.lattice, std::array{iorTerm(layer.object->ior)}, coverage,
+               [&](std::size_t voxel, double, const auto& values, const glm::dvec3&) {
+                   float& n = fields.ior.values[voxel];
+                   const double covered = extent.indexAt(voxel);
+                   const double contrast = std::abs(values[0].x - double(n));
+                   unsigned char& marked = fields.interface.values[voxel];
+                   if (covered >= kBuried)
+                       marked = 0;
+                   if (inBoundary(voxel) && (extent.boundaryIsGiven || contrast > kLeastContrast))
+                       marked = 255;
+                   n = float(mixed(double(n), values[0].x, covered));
+               });
+}
+
+void composeMedia(const ObjectLayer& layer, Fields& fields) {
+    if (layer.object->opaque)
+        return;
+    composeBands(layer, fields.lattice, notNegative("absorption", layer.object->absorption), fields.sigmaA);
+    composeScattering(layer, fields);
+    composeBands(layer, fields.lattice, notNegative("emission", layer.object->emission), fields.emission);
+}
+
+void composeOpaque(const ObjectLayer& layer, Fields& fields) {
+    const Object& object = *layer.object;
+    if (fields.opaque.empty() && !object.opaque && !layer.grid("opaque"))
+        return;
+    ensure(fields.opaque, fields.lattice, 0.0f);
+    ensure(fields.albedo, fields.lattice, glm::vec3(0.0f));
+    Quantity opaque;
+    opaque.constant = glm::dvec3(object.opaque ? 1.0 : 0.0);
+    opaque.given = object.opaque;
+    const Quantity albedo = albedoOf(object);
+    const auto* plane = std::get_if<PlaneShape>(&object.shape);
+    const std::array terms{notNegative("opaque", opaque), notNegative("albedo", albedo)};
+    forCovered(layer, fields.lattice, terms, areaOf(layer),
+               [&](std::size_t voxel, double coverage, const auto& values, const glm::dvec3& local) {
+                   const double added = coverage * std::min(values[0].x, 1.0);
+                   const glm::dvec3 color = plane && plane->checker ? checkerAt(*plane->checker, local) : values[1];
+                   float& before = fields.opaque.values[voxel];
+                   const double kept = (1.0 - coverage) * double(before);
+                   glm::vec3& mixedAlbedo = fields.albedo.values[voxel];
+                   if (kept + added > 0.0)
+                       mixedAlbedo = mixed(mixedAlbedo, color, added / (kept + added));
+                   before = float(kept + added);
+               });
+}
+
+void finishFields(Fields& fields) {
+    if (allZero(fields.sigmaA))
+        fields.sigmaA = {};
+    if (allZero(fields.emission))
+        fields.emission = {};
+    if (allZero(fields.sigmaS)) {
+        fields.sigmaS = {};
+        fields.anisotropy = {};
+    }
+    if (allZero(fields.opaque)) {
+        fields.opaque = {};
+        fields.albedo = {};
+    }
+    if (!fields.sigmaS.empty())
+        spreadByOneVoxel(fields.anisotropy, [&](std::size_t v) { return fields.sigmaS.values[v] != glm::vec3(0.0f); });
+    if (!fields.opaque.empty())
+        spreadByOneVoxel(fields.albedo, [&](std::size_t v) { return fields.opaque.values[v] > 0.0f; });
+    finishIndex(fields);
+}
+
+} // namespace eikonal

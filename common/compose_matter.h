@@ -1,0 +1,22 @@
+#pragma once
+// Steps of composeFields: one object onto what lies there already.
+
+#include "common/compose_layer.h"
+#include "common/fields.h"
+
+namespace eikonal {
+
+/// n <- n + coverage (n_object - n); boundaries that this changes are marked, those that it buries are cleared.
+void composeIndex(const ObjectLayer& layer, Fields& fields);
+
+/// Absorption, scattering with its anisotropy, and emission, by area coverage.
+void composeMedia(const ObjectLayer& layer, Fields& fields);
+
+/// Opaque matter and its albedo, by area coverage; transparent matter takes opaque matter away.
+void composeOpaque(const ObjectLayer& layer, Fields& fields);
+
+/// Grids that hold nothing become empty; anisotropy and albedo continue by a voxel beyond the matter that they belong to,
+/// because interpolation reaches that far; a uniform index becomes one number.
+void finishFields(Fields& fields);
+
+} // namespace eikonal

@@ -1,0 +1,63 @@
+// From objects to optical constants on the lattice (docs/physics.md, section 2).
+
+#include "common/fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "common/compose_layer.h"
+#include "common/compose_matter.h"
+#include "common/error.h"
+
+namespace eikonal {
+namespace {
+
+/// What fills the domain before any object: an object without end.
+Object backgroundOf(const Scene& scene) {
+    Object background;
+    background.ior = scene.domain.ior;
+    background.absorption = scene.medium.absorption;
+    background.scattering = scene.medium.scattering;
+    background.anisotropy.constant = glm::dvec3(scene.medium.anisotropy);
+    background.where.file = scene.source;
+    return background;
+}
+
+void composeLayer(const ObjectLayer& layer, Fields& fields) {
+    composeIndex(layer, fields);
+    composeMedia(layer, fields);
+    composeOpaque(layer, fields);
+}
+
+} // namespace
+
+Lattice latticeOf(const Domain& domain) {
+    const glm::dvec3 extent = domain.max - domain.min;
+    Lattice lattice;
+    lattice.min = domain.min;
+    lattice.voxel = std::max({extent.x, extent.y, extent.z}) / domain.resolution;
+    constexpr double kRounding = 1e-6;  // voxels: a whole number of voxels stays that number
+    lattice.size = glm::max(glm::ivec3(glm::ceil(extent / lattice.voxel - kRounding)), glm::ivec3(1));
+    constexpr double kMostVoxels = 2147483648.0;  // indices on the GPU are 32-bit
+    if (double(lattice.count()) >= kMostVoxels)
+        throw badInput(fmt::format("domain: expected fewer than 2^31 voxels, found {} x {} x {}; lower the resolution",
+                                   lattice.size.x, lattice.size.y, lattice.size.z));
+    return lattice;
+}
+
+Fields composeFields(const Scene& scene) {
+    Fields fields;
+    fields.lattice = latticeOf(scene.domain);
+    fields.ior = DenseGrid<float>(fields.lattice.size, 1.0f);
+    fields.interface = DenseGrid<unsigned char>(fields.lattice.size, 0);
+    const Object background = backgroundOf(scene);
+    composeLayer(ObjectLayer{.object = &background, .label = "domain", .extent = {}, .grids = {}}, fields);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        composeLayer(layerOf(scene, scene.objects[i], i, fields.lattice), fields);
+    finishFields(fields);
+    return fields;
+}
+
+} // namespace eikonal

@@ -1,0 +1,89 @@
+#include "common/scene_summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "common/scene_hash.h"
+
+namespace eikonal {
+namespace {
+
+template <class Value>
+std::size_t bytesOf(const DenseGrid<Value>& grid) {
+    return grid.values.size() * sizeof(Value);
+}
+
+std::size_t bytesOf(Effect effect, const Fields& fields) {
+    switch (effect) {
+    case Effect::kRefraction: return bytesOf(fields.ior) + bytesOf(fields.iorGradient);
+    case Effect::kAbsorption: return bytesOf(fields.sigmaA);
+    case Effect::kScattering: return bytesOf(fields.sigmaS) + bytesOf(fields.anisotropy);
+    case Effect::kEmission: return bytesOf(fields.emission);
+    case Effect::kReflection: return bytesOf(fields.interface);
+    case Effect::kOpaque: return bytesOf(fields.opaque) + bytesOf(fields.albedo);
+    case Effect::kDispersion:
+    case Effect::kEnvironment: return 0;
+    }
+    return 0;
+}
+
+nlohmann::json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+nlohmann::json latticeJson(const Lattice& lattice) {
+    return {{"min", vectorJson(lattice.min)},
+            {"max", vectorJson(lattice.max())},
+            {"voxel", lattice.voxel},
+            {"size", {lattice.size.x, lattice.size.y, lattice.size.z}},
+            {"voxels", lattice.count()}};
+}
+
+nlohmann::json effectsJson(const EffectSet& effects, const Fields& fields) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const EffectDecision& decision : effects.decisions)
+        rows.push_back({{"name", effectName(decision.effect)},
+                        {"on", decision.on},
+                        {"why", decision.why},
+                        {"grids", decision.grids},
+                        {"bytes", decision.on ? bytesOf(decision.effect, fields) : 0}});
+    return rows;
+}
+
+/// Patches of one voxel: those of a beam pass every voxel once; those of a point light spread, and what is one voxel wide
+/// at the far faces has been advanced from the light on.
+double patchSteps(const Light& light, const glm::dvec3& size) {
+    if (std::holds_alternative<DirectionalLight>(light))
+        return size.x * size.y * size.z;
+    return (size.y * size.z + size.z * size.x + size.x * size.y) * std::max({size.x, size.y, size.z});
+}
+
+nlohmann::json costJson(const Scene& scene, const Fields& fields, const EffectSet& effects) {
+    const glm::dvec3 size(fields.lattice.size);
+    const double rays = double(scene.render.size.x) * double(scene.render.size.y) * scene.render.samples;
+    double bake = 0.0;
+    for (const Light& light : scene.lights)
+        bake += effects.wantsLight(scene) ? patchSteps(light, size) : 0.0;
+    return {{"image_rays", std::llround(rays)},
+            {"image_steps", std::llround(rays * std::max({size.x, size.y, size.z}))},
+            {"bake_patch_steps", std::llround(bake)}};
+}
+
+} // namespace
+
+nlohmann::json sceneSummary(const Scene& scene, const Fields& fields) {
+    const EffectSet effects = decideEffects(scene, fields);
+    std::size_t memory = 0;
+    for (const EffectDecision& decision : effects.decisions)
+        memory += bytesOf(decision.effect, fields);
+    return {{"source", scene.source},
+            {"hash", sceneHash(scene, fields)},
+            {"lattice", latticeJson(fields.lattice)},
+            {"effects", effectsJson(effects, fields)},
+            {"memory_bytes", memory},
+            {"objects", scene.objects.size()},
+            {"lights", scene.lights.size()},
+            {"cost", costJson(scene, fields, effects)}};
+}
+
+} // namespace eikonal
