@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "common/baked_light.h"
+#include "common/fields.h"
 #include "common/scene.h"
 #include "lightsim/bake.h"
 
@@ -11,12 +12,14 @@ namespace eikonal {
 
 /// File metadata: creator, version, scene (TOML text, everything resolved), scene_hash, energy (JSON text), seconds,
 /// renderer. Throws failure for an unwritable folder or a full disk.
-void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const BakeResult& result);
+void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields,
+                   const BakeResult& result);
 
 enum class OtherScene { kRefuse, kAccept };
 
 /// Reads a bake for a scene. Throws badInput for a file that is no bake and, unless told to accept it, for the bake of
 /// another scene, naming the keys that differ.
-BakedLight readBakeFile(const std::filesystem::path& path, const Scene& scene, OtherScene otherScene);
+BakedLight readBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields,
+                        OtherScene otherScene);
 
 } // namespace eikonal

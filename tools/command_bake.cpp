@@ -48,7 +48,7 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     const BakeResult result = bakeScene(context, scene, fields, effects, bakeOptions);
     progress.finish();
 
-    writeBakeFile(arguments.output, scene, result);
+    writeBakeFile(arguments.output, scene, fields, result);
     if (!arguments.statistics.empty()) {
         writeFile(arguments.statistics, bakeJson(result.statistics, effects).dump(2) + "\n");
     }

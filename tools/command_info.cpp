@@ -70,27 +70,29 @@ void printVolume(const json& summary) {
     }
 }
 
-void printEffects(const json& effects) {
-    for (const json& row : effects) {
-        fmt::print("  {:<12} {:<4} {}\n", plain(row["name"]), row["on"].get<bool>() ? "on" : "off", plain(row["why"]));
-    }
-}
-
 json summaryOf(const InfoArguments& arguments) {
     if (isVolume(arguments.scene.file)) {
         return vdbSummary(arguments.scene.file);
     }
-    return sceneSummary(sceneOf(arguments.scene));
+    const Scene scene = sceneOf(arguments.scene);
+    return sceneSummary(scene, composeFields(scene));
 }
 
 void printScene(const json& summary) {
-    for (const auto& [key, value] : summary.items()) {
-        if (!value.is_structured()) {
-            fmt::print("{}: {}\n", key, plain(value));
-        }
+    const json& lattice = summary["lattice"];
+    const json& size = lattice["size"];
+    fmt::print("{}: {} objects, {} lights\n", plain(summary["source"]), plain(summary["objects"]),
+               plain(summary["lights"]));
+    fmt::print("domain: {} to {}, {} x {} x {} voxels of {}\n", plain(lattice["min"]), plain(lattice["max"]),
+               plain(size[0]), plain(size[1]), plain(size[2]), plain(lattice["voxel"]));
+    fmt::print("grids: {:.1f} MiB\n", summary["memory_bytes"].get<double>() / (1024.0 * 1024.0));
+    const json& cost = summary["cost"];
+    fmt::print("estimated cost: image {} rays and {:.3g} steps, bake {:.3g} patch steps\n", plain(cost["image_rays"]),
+               cost["image_steps"].get<double>(), cost["bake_patch_steps"].get<double>());
+    fmt::print("hash of what a bake depends on: {}\neffects:\n", plain(summary["hash"]));
+    for (const json& row : summary["effects"]) {
+        fmt::print("  {:<12} {:<4} {}\n", plain(row["name"]), row["on"].get<bool>() ? "on" : "off", plain(row["why"]));
     }
-    fmt::print("effects:\n");
-    printEffects(summary["effects"]);
 }
 
 void runInfo(const InfoArguments& arguments) {

@@ -68,7 +68,7 @@ Light lightOf(const RenderArguments& arguments, const gpu::Context& context, con
               const EffectSet& effects, Progress& progress) {
     if (!arguments.bake.empty()) {
         const OtherScene otherScene = arguments.force ? OtherScene::kAccept : OtherScene::kRefuse;
-        return {readBakeFile(arguments.bake, scene, otherScene), std::nullopt};
+        return {readBakeFile(arguments.bake, scene, fields, otherScene), std::nullopt};
     }
     if (!effects.wantsLight(scene)) {
         return {};

@@ -1,0 +1,88 @@
+#include "tools/bake_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "common/error.h"
+#include "common/scene_hash.h"
+#include "common/scene_toml.h"
+#include "common/vdb_io.h"
+#include "tools/program.h"
+#include "tools/statistics_json.h"
+
+namespace eikonal {
+
+namespace {
+
+const VdbGrid& vectorGrid(const VdbFile& file, const std::filesystem::path& path, const std::string& name) {
+    const VdbGrid* grid = file.find(name);
+    if (grid == nullptr || grid->isScalar() || grid->vector().empty()) {
+        const std::string found = grid == nullptr ? "none of that name" : "one of type " + grid->typeName;
+        throw badInput(fmt::format("{}: expected a bake with a vector grid '{}', found {}", path.string(), name, found));
+    }
+    return *grid;
+}
+
+std::string textOf(const Metadata& metadata, const std::string& key) {
+    const auto entry = metadata.find(key);
+    const bool isText = entry != metadata.end() && std::holds_alternative<std::string>(entry->second);
+    return isText ? std::get<std::string>(entry->second) : std::string();
+}
+
+Lattice latticeOf(const VdbGrid& grid) {
+    Lattice lattice;
+    lattice.voxel = grid.voxelSize().x;
+    lattice.size = grid.size();
+    lattice.min = glm::dvec3(grid.worldFromIndex * glm::dvec4(-0.5, -0.5, -0.5, 1.0));
+    return lattice;
+}
+
+/// What tells the scene of a bake from this one, for a message.
+std::string differenceFrom(const Scene& scene, const std::string& bakedScene, const std::string& bakeName) {
+    try {
+        const auto keys = differingKeys(scene, parseScene(bakedScene, bakeName + " (its scene)", scene.folder));
+        return keys.empty() ? std::string("no key differs, but the contents of a file that the scene names do")
+                            : fmt::format("these keys differ: {}", fmt::join(keys, ", "));
+    } catch (const Error& error) {
+        return fmt::format("and the scene that it holds cannot be read: {}", error.what());
+    }
+}
+
+} // namespace
+
+void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields,
+                   const BakeResult& result) {
+    const Metadata metadata{
+        {"creator", std::string(kCreator)},
+        {"version", std::string(kVersion)},
+        {"scene", resolvedToml(scene)},
+        {"scene_hash", sceneHash(scene, fields)},
+        {"energy", energyJson(result.statistics.energy).dump()},
+        {"seconds", result.statistics.seconds.total},
+        {"renderer", result.statistics.device},
+    };
+    writeVdb(path, result.light.lattice,
+             {{.name = "irradiance", .values = &result.light.irradiance},
+              {.name = "light_direction", .values = &result.light.lightDirection}},
+             metadata);
+}
+
+BakedLight readBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields,
+                        OtherScene otherScene) {
+    const VdbFile file = readVdb(path);
+    const VdbGrid& irradiance = vectorGrid(file, path, "irradiance");
+    const VdbGrid& direction = vectorGrid(file, path, "light_direction");
+    if (irradiance.size() != direction.size()) {
+        throw badInput(fmt::format("{}: expected 'irradiance' and 'light_direction' of one size, found two",
+                                   path.string()));
+    }
+    if (otherScene == OtherScene::kRefuse && textOf(file.metadata, "scene_hash") != sceneHash(scene, fields)) {
+        throw badInput(fmt::format("{}: expected a bake of {}, found one of another scene; {} (--force uses it anyway)",
+                                   path.string(), scene.source,
+                                   differenceFrom(scene, textOf(file.metadata, "scene"), path.string())));
+    }
+    return {latticeOf(irradiance), irradiance.vector(), direction.vector()};
+}
+
+} // namespace eikonal
