@@ -57,7 +57,8 @@ struct Pipeline {
         : fields(context, sceneFields, effects),
           // An environment that lights the bake is in its irradiance already.
           environment(context, scene.environment, map,
-                      effects.has(Effect::kOpaque) && !(bake && scene.environment.bake)),
+                      effects.has(Effect::kOpaque) && effects.has(Effect::kEnvironment) &&
+                          !(bake && scene.environment.bake)),
           light(context, bake), defines(fields.defines()), batch(context, capacity),
           generate(context, fields.defines(), viewer::Generate::Source::kCamera),
           march(context, allDefines(),

@@ -68,7 +68,7 @@ TraceResult resultOf(const gpu::RayState& state, const TraceRay& ray) {
     result.position = glm::dvec3(state.x);
     result.direction = glm::normalize(glm::dvec3(state.w));
     result.opticalLength = state.opticalLength;
-    result.length = state.length;
+    result.length = state.pathLength;
     result.depth = glm::dvec3(state.depth);
     result.evaluations = state.evaluations;
     result.status = statusOf(state.status);

@@ -28,6 +28,8 @@ public:
     Context& operator=(Context&&) noexcept;
     ~Context();
 
+    /// Makes this the context of the thread again, after another one was made on it.
+    void makeCurrent() const;
     const DeviceLimits& limits() const;
     std::string rendererName() const;  ///< GL_RENDERER and version
     /// Throws Error(kFailure) with the messages if the debug callback has seen a GL error since the last call.

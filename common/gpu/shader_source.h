@@ -16,7 +16,8 @@ struct EmbeddedShader {
 const std::vector<EmbeddedShader>& embeddedShaders();
 
 /// A kernel ready to compile: `#version 450 core`, one `#define` a row of `defines` ("NAME" or "NAME VALUE"), the
-/// text of `name` with every `#include "path below shaders/"` expanded once.
+/// text of `name` with every `#include "path below shaders/"` expanded once, where it is first met: the folder may stand in
+/// front, and no include may be in a branch for C++. `#include <...>` and `#pragma once` are left out.
 /// Throws std::logic_error for a name that is not embedded.
 std::string kernelSource(std::string_view name, const std::vector<std::string>& defines);
 

@@ -1,12 +1,12 @@
 #pragma once
 // Where the lattice of the fields lies. std140: each vec3 is followed by the scalar that fills its row.
 
+#include "shaders/shared/bindings.h"
+
 #ifdef __cplusplus
 #include <cstddef>
 
 #include <glm/glm.hpp>
-
-#include "shaders/shared/bindings.h"
 
 namespace eikonal::gpu {
 
@@ -15,8 +15,6 @@ using glm::vec3;
 
 struct DomainBlock {
 #else
-#include "shared/bindings.h"
-
 layout(std140, binding = kUniformDomain) uniform DomainBlock {
 #endif
     vec3 domainMin;      // lower corner of the box [scene units]

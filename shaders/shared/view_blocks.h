@@ -1,12 +1,12 @@
 #pragma once
 // What the stages of the viewer hand to each other.
 
+#include "shaders/shared/bindings.h"
+
 #ifdef __cplusplus
 #include <cstddef>
 
 #include <glm/glm.hpp>
-
-#include "shaders/shared/bindings.h"
 
 namespace eikonal::gpu {
 
@@ -15,8 +15,6 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 using uint = unsigned int;
-#else
-#include "shared/bindings.h"
 #endif
 
 const int kUniformView = 1;
@@ -40,7 +38,7 @@ const uint kAttenuated = 5u;  // nothing behind it can be seen
 // A ray under way. Radiance is basic radiance, L/n^2, until the shade stage makes a pixel's of it.
 struct RayState {
     vec3 x;               // position [scene units]
-    float length;         // path inside the domain [scene units]
+    float pathLength;     // inside the domain [scene units]
     vec3 w;               // wave vector
     float opticalLength;  // integral of n over the path [scene units]
     vec3 depth;           // optical depth of extinction by band

@@ -2,7 +2,11 @@
 #include "physics/environment.glsl"
 #include "shared/view_blocks.h"
 
-#ifdef ENVIRONMENT_IMAGE
+#if !defined(EFFECT_ENVIRONMENT)
+vec3 background(vec3 direction) {
+    return vec3(0.0);
+}
+#elif defined(ENVIRONMENT_IMAGE)
 layout(binding = kUnitEnvironment) uniform sampler2D environmentMap;
 
 vec3 background(vec3 direction) {

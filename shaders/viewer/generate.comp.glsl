@@ -12,7 +12,7 @@ layout(std430, binding = kStorageGiven) readonly buffer Given { GivenRay given[]
 RayState rayAt(vec3 origin, vec3 direction) {
     RayState ray;
     ray.x = origin;
-    ray.length = 0.0;
+    ray.pathLength = 0.0;
     ray.w = direction;
     ray.opticalLength = 0.0;
     ray.depth = vec3(0.0);

@@ -70,7 +70,7 @@ Step takeStep(inout RayState ray) {
 // Matter is sampled at least once a voxel, whatever the step: once a step in its middle, or SAMPLES_PER_HALF times on each
 // of its two pieces.
 void passStep(inout RayState ray, Step taken) {
-    ray.length += taken.first + taken.second;
+    ray.pathLength += taken.first + taken.second;
     ray.opticalLength += ray.n * (taken.first + taken.second);
 #ifdef MATTER
 #if SAMPLES_PER_HALF == 0

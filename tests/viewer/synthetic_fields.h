@@ -1,0 +1,40 @@
+#pragma once
+// Scenes made in memory: index fields from formulas, matter from boxes, surroundings of one colour.
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "common/effects.h"
+#include "common/fields.h"
+#include "common/gpu/context.h"
+
+namespace eikonal::test {
+
+/// The context that all tests of the process share: one is current at a time.
+const gpu::Context& sharedContext();
+
+Lattice cube(int resolution, double halfEdge);
+
+/// Samples of n at voxel centres and their fourth-order differences; no interfaces, no matter.
+Fields indexFields(const Lattice& lattice, const std::function<double(const glm::dvec3&)>& n);
+
+/// Nothing but a lattice, in vacuum or in a uniform index.
+Fields uniformFields(const Lattice& lattice, double n = 1.0);
+
+/// A smoothed sphere about the origin: n = 1 + (index - 1) erfc((r - radius)/(sqrt(2) width))/2, with its interface band.
+Fields sphereFields(const Lattice& lattice, double radius, double index, double width);
+
+/// A value inside a box by the share of each voxel that it covers.
+DenseGrid<glm::vec3> boxGrid(const Lattice& lattice, const glm::dvec3& min, const glm::dvec3& max,
+                             const glm::vec3& value);
+
+/// Scene under one colour, seen by a camera on +Z that looks at the origin; `size` pixels square.
+Scene plainScene(const glm::dvec3& surroundings, double cameraDistance, double fov, int size);
+
+EffectSet effectsOf(const Scene& scene, const Fields& fields);
+
+/// Value of a grid at a position by trilinear interpolation in double, clamped at the faces.
+glm::dvec4 trilinear(const Fields& fields, const glm::dvec3& x);
+
+} // namespace eikonal::test

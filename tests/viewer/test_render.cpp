@@ -1,0 +1,159 @@
+// Images against closed forms (docs/physics.md, sections 4 to 6).
+#include <cmath>
+
+#include "common/physics.h"
+#include "tests/viewer/synthetic_fields.h"
+#include "viewer/render.h"
+
+namespace eikonal {
+namespace {
+
+using test::sharedContext;
+
+RenderResult rendered(const Scene& scene, const Fields& fields, const BakedLight* bake = nullptr,
+                      const RenderOptions& options = {}) {
+    return renderScene(sharedContext(), scene, fields, test::effectsOf(scene, fields), bake, options);
+}
+
+BakedLight constantLight(const Lattice& lattice, const glm::vec3& irradiance, const glm::vec3& direction) {
+    return {lattice, DenseGrid<glm::vec3>(lattice.size, irradiance), DenseGrid<glm::vec3>(lattice.size, direction)};
+}
+
+void expectAll(const RenderResult& image, double value, double tolerance) {
+    for (int y = 0; y < image.size.y; ++y) {
+        for (int x = 0; x < image.size.x; ++x) {
+            ASSERT_NEAR(image.radiance(x, y).g, value, tolerance) << "pixel " << x << ", " << y;
+        }
+    }
+}
+
+TEST(Render, AbsorbingSlabIsBeerLambertWhateverTheStep) {
+    const Lattice lattice = test::cube(32, 1.0);
+    Fields fields = test::uniformFields(lattice);
+    const double thickness = 0.731;
+    fields.sigmaA = test::boxGrid(lattice, {-1.0, -1.0, -0.413}, {1.0, 1.0, -0.413 + thickness}, {1.0f, 2.0f, 5.0f});
+    for (const double stepVoxels : {0.5, 1.0, 2.0}) {
+        Scene scene = test::plainScene(glm::dvec3(1.0), 30.0, 0.5, 3);
+        scene.accuracy.stepVoxels = stepVoxels;
+        const RenderResult image = rendered(scene, fields);
+        EXPECT_NEAR(image.radiance(1, 1).r, std::exp(-thickness), 1e-3) << stepVoxels;
+        EXPECT_NEAR(image.radiance(1, 1).g, std::exp(-2.0 * thickness), 1e-3) << stepVoxels;
+        EXPECT_NEAR(image.radiance(1, 1).b, std::exp(-5.0 * thickness), 1e-3) << stepVoxels;
+        EXPECT_NEAR(image.channel("depth.G").values[4], 2.0 * thickness, 1e-3);
+    }
+}
+
+TEST(Render, WhiteFurnaceIsWhiteThroughGlass) {
+    const Fields fields = test::sphereFields(test::cube(64, 1.0), 0.7, 1.5, 1.5 / 32.0);
+    expectAll(rendered(test::plainScene(glm::dvec3(1.0), 4.0, 30.0, 48), fields), 1.0, 5e-3);
+}
+
+TEST(Render, CameraInsideGlassReadsTheSquareOfTheIndex) {
+    const Fields fields = test::sphereFields(test::cube(64, 1.0), 0.7, 1.5, 1.5 / 32.0);
+    expectAll(rendered(test::plainScene(glm::dvec3(1.0), 0.0, 60.0, 16), fields), 2.25, 0.0225);
+}
+
+TEST(Render, FresnelDimsTheMiddleOfASphereByTwoCrossings) {
+    Fields fields = test::sphereFields(test::cube(64, 1.0), 0.7, 1.5, 1.5 / 32.0);
+    const Scene scene = test::plainScene(glm::dvec3(1.0), 30.0, 0.2, 1);
+    const RenderResult image = rendered(scene, fields);
+    EXPECT_NEAR(image.channel("throughput.G").values[0], 0.96 * 0.96, 2e-3);
+}
+
+TEST(Render, ScatteringSlabAgreesWithTheClosedForm) {
+    const Lattice lattice = test::cube(32, 1.0);
+    const double thickness = 0.8, sigma = 1.5, g = 0.4;
+    Fields fields = test::uniformFields(lattice);
+    fields.sigmaS = test::boxGrid(lattice, {-1.0, -1.0, -0.4}, {1.0, 1.0, 0.4}, glm::vec3(float(sigma)));
+    fields.anisotropy = DenseGrid<float>(lattice.size, float(g));
+    const glm::dvec3 light = glm::normalize(glm::dvec3(1.0, 0.0, 0.5));
+    const BakedLight bake = constantLight(lattice, glm::vec3(3.0f), glm::vec3(light));
+    const RenderResult image = rendered(test::plainScene(glm::dvec3(0.0), 30.0, 0.5, 1), fields, &bake);
+    const double phase = f64::henyeyGreenstein(light.z, g);  // towards the camera on +Z
+    const double exact = 3.0 * phase * (1.0 - std::exp(-sigma * thickness));
+    EXPECT_NEAR(image.radiance(0, 0).g, exact, 0.02 * exact);
+}
+
+TEST(Render, LightScatteredInGlassIsDimmerByTheSquareOfTheIndex) {
+    const Lattice lattice = test::cube(64, 1.0);
+    const double n = 1.5;
+    Fields matched = test::uniformFields(lattice);
+    Fields unmatched = test::sphereFields(lattice, 0.7, n, 1.5 / 32.0);
+    unmatched.interface = {};
+    const auto column = test::boxGrid(lattice, {-0.2, -0.2, -0.2}, {0.2, 0.2, 0.2}, glm::vec3(1.0f));
+    const DenseGrid<float> isotropic(lattice.size, 0.0f);
+    for (Fields* fields : {&matched, &unmatched}) {
+        fields->sigmaS = column;
+        fields->anisotropy = isotropic;
+    }
+    const BakedLight bake = constantLight(lattice, glm::vec3(1.0f), glm::vec3(0.0f));
+    const Scene scene = test::plainScene(glm::dvec3(0.0), 30.0, 0.1, 1);
+    const double inAir = rendered(scene, matched, &bake).radiance(0, 0).g;
+    const double inGlass = rendered(scene, unmatched, &bake).radiance(0, 0).g;
+    EXPECT_NEAR(inAir / inGlass, n * n, 0.01 * n * n);
+}
+
+TEST(Render, IndexOneEqualsTheBackgroundExactly) {
+    Scene scene = test::plainScene(glm::dvec3(0.0), 4.0, 40.0, 32);
+    scene.environment.gradient = {glm::dvec3(0.9, 0.5, 0.2), glm::dvec3(0.1, 0.3, 0.8)};
+    scene.camera.up = {0.3, 1.0, 0.0};
+    const RenderResult filled =
+        rendered(scene, test::indexFields(test::cube(32, 1.0), [](const glm::dvec3&) { return 1.0; }));
+    const RenderResult empty = rendered(scene, test::uniformFields(test::cube(1, 1e-3)));
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(filled.channels[std::size_t(c)].values, empty.channels[std::size_t(c)].values);
+}
+
+TEST(Render, SlicesAndTilesChangeNoBit) {
+    Fields fields = test::sphereFields(test::cube(32, 1.0), 0.7, 1.5, 1.5 / 16.0);
+    fields.sigmaA = test::boxGrid(fields.lattice, glm::dvec3(-0.3), glm::dvec3(0.3), {0.2f, 1.0f, 2.0f});
+    Scene scene = test::plainScene(glm::dvec3(1.0), 4.0, 40.0, 40);
+    scene.environment.gradient = {glm::dvec3(0.9, 0.5, 0.2), glm::dvec3(0.1, 0.3, 0.8)};
+    scene.render.samples = 3;
+    const RenderResult whole = rendered(scene, fields);
+    const RenderResult pieces = rendered(scene, fields, nullptr, {.stepsPerSlice = 7, .tileRays = 100});
+    for (std::size_t c = 0; c < whole.channels.size(); ++c) {
+        EXPECT_EQ(whole.channels[c].values, pieces.channels[c].values) << whole.channels[c].name;
+    }
+    EXPECT_EQ(whole.statistics.fieldEvaluations, pieces.statistics.fieldEvaluations);
+    EXPECT_EQ(whole.statistics.rays, 40u * 40u * 3u);
+}
+
+TEST(Render, TrappedRaysEndAtTheLimitWithABackground) {
+    const Fields fields = test::sphereFields(test::cube(32, 1.0), 0.7, 1.5, 1.5 / 16.0);
+    const RenderResult image =
+        rendered(test::plainScene(glm::dvec3(1.0), 4.0, 30.0, 8), fields, nullptr, {.maxEvaluations = 10});
+    for (const float steps : image.channel("steps").values) EXPECT_LE(steps, 9.0f);
+    for (int i = 0; i < 8; ++i) EXPECT_GT(image.radiance(i, i).r, 0.5f);
+}
+
+TEST(Render, OpaqueSurfaceShowsItsIrradiance) {
+    const Lattice lattice = test::cube(32, 1.0);
+    Fields fields = test::uniformFields(lattice);
+    const auto solid = test::boxGrid(lattice, {-0.8, -0.8, -0.8}, {0.8, 0.8, 0.1}, glm::vec3(1.0f));
+    fields.opaque = DenseGrid<float>(lattice.size, 0.0f);
+    for (std::size_t i = 0; i < solid.values.size(); ++i) fields.opaque.values[i] = solid.values[i].x;
+    fields.albedo = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.5f, 0.25f, 1.0f));
+    const BakedLight bake = constantLight(lattice, glm::vec3(2.0f), glm::vec3(0.0f, 0.6f, -0.8f));
+    const RenderResult lit = rendered(test::plainScene(glm::dvec3(0.0), 30.0, 0.5, 1), fields, &bake);
+    EXPECT_NEAR(lit.radiance(0, 0).r, 0.5 / 3.14159265 * 2.0 * 0.8, 1e-3);
+    const RenderResult ambient = rendered(test::plainScene(glm::dvec3(0.7), 30.0, 0.5, 1), fields);
+    EXPECT_NEAR(ambient.radiance(0, 0).g, 0.25 * 0.7, 1e-3);
+}
+
+TEST(Render, EmissionGlowsAndAGradientLiesAround) {
+    const Lattice lattice = test::cube(32, 1.0);
+    Fields fields = test::uniformFields(lattice);
+    fields.emission = test::boxGrid(lattice, {-1.0, -1.0, -0.5}, {1.0, 1.0, 0.5}, {2.0f, 1.0f, 0.5f});
+    const RenderResult image = rendered(test::plainScene(glm::dvec3(0.25), 30.0, 0.5, 1), fields);
+    EXPECT_NEAR(image.radiance(0, 0).r, 2.25, 2e-3);
+    EXPECT_NEAR(image.radiance(0, 0).b, 0.75, 2e-3);
+}
+
+TEST(Render, EmptyImagesAndOneVoxelAreFine) {
+    const Fields fields = test::uniformFields(test::cube(1, 1.0));
+    EXPECT_TRUE(rendered(test::plainScene(glm::dvec3(1.0), 4.0, 30.0, 0), fields).display.empty());
+    expectAll(rendered(test::plainScene(glm::dvec3(1.0), 4.0, 30.0, 5), fields), 1.0, 0.0);
+}
+
+} // namespace
+} // namespace eikonal

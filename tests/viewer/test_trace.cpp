@@ -1,0 +1,263 @@
+// Rays through voxel fields, by the march kernel, against closed forms and against a march in double.
+#include <cmath>
+
+#include "common/physics.h"
+#include "tests/viewer/synthetic_fields.h"
+#include "viewer/trace.h"
+
+namespace eikonal {
+namespace {
+
+using test::sharedContext;
+
+const Scene kScene;
+
+std::vector<TraceResult> traced(const Fields& fields, const std::vector<TraceRay>& rays, double stepVoxels = 1.0) {
+    Accuracy accuracy;
+    accuracy.stepVoxels = stepVoxels;
+    return traceRays(sharedContext(), fields, test::effectsOf(kScene, fields), accuracy, rays);
+}
+
+/// Rays along a direction close to +z through a disc of `radius`, from in front of the domain.
+std::vector<TraceRay> parallelRays(double radius, int count, const glm::dvec3& direction, double distance) {
+    std::vector<TraceRay> rays;
+    const glm::dvec3 forward = glm::normalize(direction);
+    const glm::dvec3 side = glm::normalize(glm::cross(forward, glm::dvec3(0.0, 1.0, 0.0)));
+    const glm::dvec3 up = glm::cross(side, forward);
+    for (int i = 0; i < count; ++i) {
+        const double r = radius * std::sqrt((i + 0.5) / count);
+        const double angle = 2.399963229728653 * i;
+        rays.push_back({side * (r * std::cos(angle)) + up * (r * std::sin(angle)) - forward * distance, forward});
+    }
+    return rays;
+}
+
+template <class Exact>
+double rmsDirectionError(const std::vector<TraceRay>& rays, const std::vector<TraceResult>& results, Exact exact) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(results[i].status, TraceStatus::kExited);
+        const glm::dvec3 error = results[i].direction - exact(rays[i], results[i]);
+        sum += glm::dot(error, error);
+    }
+    return std::sqrt(sum / double(rays.size()));
+}
+
+/// The ray turned towards the axis through the origin, in its own plane, by an angle.
+glm::dvec3 turnedInwards(const TraceRay& ray, double angle) {
+    const glm::dvec3 forward = glm::normalize(ray.direction);
+    const glm::dvec3 offset = ray.origin - forward * glm::dot(ray.origin, forward);
+    return forward * std::cos(angle) - glm::normalize(offset) * std::sin(angle);
+}
+
+double impactOf(const TraceRay& ray) {
+    return glm::length(glm::cross(ray.origin, glm::normalize(ray.direction)));
+}
+
+TEST(Trace, LuneburgLensTurnsByArcsineOfTheImpactParameter) {
+    const Fields fields = test::indexFields(test::cube(128, 1.125), [](const glm::dvec3& x) {
+        return std::sqrt(std::max(2.0 - glm::dot(x, x), 1.0));
+    });
+    const auto rays = parallelRays(0.95, 2000, {0.2, 0.1, 1.0}, 3.0);
+    const double rms = rmsDirectionError(rays, traced(fields, rays), [](const TraceRay& ray, const TraceResult&) {
+        return turnedInwards(ray, std::asin(impactOf(ray)));
+    });
+    RecordProperty("rms", std::to_string(rms));
+    EXPECT_LE(rms, 1.2e-3);
+}
+
+TEST(Trace, FishEyeFollowsCircles) {
+    const double n0 = 3.0, a2 = 0.49;
+    const Fields fields = test::indexFields(
+        test::cube(128, 1.125), [&](const glm::dvec3& x) { return n0 / (1.0 + glm::dot(x, x) / a2); });
+    // Started inside; (x . w) and L = x x w are known on the whole circle: the direction follows from the position.
+    std::vector<TraceRay> rays;
+    for (int i = 0; i < 500; ++i) {
+        const double angle = 2.399963229728653 * i;
+        const double r = 0.1 + 0.5 * (i % 50) / 50.0;
+        rays.push_back({{r * std::cos(angle), r * std::sin(angle), 0.0}, {std::sin(3.0 * angle), 0.4, std::cos(3.0 * angle)}});
+    }
+    Accuracy accuracy;
+    const auto points = tracePaths(sharedContext(), fields, test::effectsOf(kScene, fields), accuracy, rays);
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const TracePoint& point : points) {
+        const glm::dvec3 x = point.at.position;
+        if (glm::length(x) > 0.98) continue;
+        const TraceRay& ray = rays[point.ray];
+        const glm::dvec3 start = glm::normalize(ray.direction);
+        // Rays through x0 are circles about c that meet -a^2 x0/|x0|^2: the centre is in the plane, at equal distance.
+        const glm::dvec3 image = -a2 * ray.origin / glm::dot(ray.origin, ray.origin);
+        const glm::dvec3 plane = glm::normalize(glm::cross(ray.origin - image, start));
+        const glm::dvec3 outward = glm::normalize(glm::cross(plane, start));
+        const glm::dvec3 chord = image - ray.origin;
+        const glm::dvec3 centre = ray.origin + outward * (glm::dot(chord, chord) / (2.0 * glm::dot(chord, outward)));
+        const glm::dvec3 tangent = glm::normalize(glm::cross(plane, x - centre));
+        const double sign = glm::dot(glm::cross(plane, ray.origin - centre), start) > 0.0 ? 1.0 : -1.0;
+        const glm::dvec3 error = point.at.direction - sign * tangent;
+        sum += glm::dot(error, error);
+        ++count;
+    }
+    const double rms = std::sqrt(sum / double(count));
+    RecordProperty("rms", std::to_string(rms));
+    EXPECT_LE(rms, 7e-4);
+}
+
+TEST(Trace, GradedRodIsHarmonic) {
+    const double n0 = 1.8, radius = 0.7;
+    const double g2 = (1.0 - 1.0 / (n0 * n0)) / (radius * radius);
+    const Fields fields = test::indexFields(test::cube(128, 1.125), [&](const glm::dvec3& x) {
+        return n0 * std::sqrt(std::max(1.0 - g2 * (x.x * x.x + x.y * x.y), 1.0 / (n0 * n0)));
+    });
+    const auto rays = parallelRays(0.3, 1000, {0.0, 0.0, 1.0}, 3.0);
+    const double rms = rmsDirectionError(rays, traced(fields, rays), [&](const TraceRay& ray, const TraceResult& end) {
+        const glm::dvec3 offset(ray.origin.x, ray.origin.y, 0.0);
+        const double n = n0 * std::sqrt(1.0 - g2 * glm::dot(offset, offset));
+        const double tau = (end.position.z + 1.125) / n;
+        const double k = n0 * std::sqrt(g2);
+        return glm::normalize(glm::dvec3(0.0, 0.0, n) - offset * (k * std::sin(k * tau)));
+    });
+    RecordProperty("rms", std::to_string(rms));
+    EXPECT_LE(rms, 2e-4);
+}
+
+/// Deflection of a ray in n(r) = 1 + 0.5 erfc((r - 0.8)/(sqrt 2 b))/2 by Bouguer's integral, through leapfrog in double
+/// with steps so small that its error is below 1e-7.
+glm::dvec3 smoothedSphereDirection(const TraceRay& input, double b) {
+    const double kPi = 3.14159265358979323846;
+    f64::Ray ray = {input.origin + glm::normalize(input.direction) * 1.9, glm::normalize(input.direction)};
+    const double h = 1e-3;
+    for (int i = 0; i < 2300; ++i) {
+        ray = f64::driftByLength(ray, 0.5 * h);
+        const double r = std::max(glm::length(ray.x), 1e-12);
+        const double t = (r - 0.8) / b;
+        const double slope = -0.5 * std::exp(-0.5 * t * t) / (b * std::sqrt(2.0 * kPi));
+        ray = f64::driftByLength(f64::kickByLength(ray, ray.x * (slope / r), h), 0.5 * h);
+    }
+    return glm::normalize(ray.w);
+}
+
+TEST(Trace, SmoothedSphereRefractsLikeItsProfile) {
+    const double b = 0.04;
+    const Fields fields = test::sphereFields(test::cube(128, 1.125), 0.8, 1.5, b);
+    const auto rays = parallelRays(0.76, 500, {0.1, -0.2, 1.0}, 3.0);
+    const double rms = rmsDirectionError(rays, traced(fields, rays), [&](const TraceRay& ray, const TraceResult&) {
+        return smoothedSphereDirection(ray, b);
+    });
+    RecordProperty("rms", std::to_string(rms));
+    EXPECT_LE(rms, 1e-3);
+}
+
+struct Ended {
+    glm::dvec3 x, w;
+};
+
+/// The march in double through the same trilinear field with the same steps.
+Ended marchedInDouble(const Fields& fields, const TraceRay& input, double step) {
+    const glm::dvec3 low = fields.lattice.min, high = fields.lattice.max();
+    const glm::dvec3 direction = glm::normalize(input.direction);
+    const auto span = f64::boxSpan(input.origin, direction, low, high);
+    f64::Ray ray = {input.origin + direction * std::max(span.enter, 0.0), direction};
+    ray.w *= test::trilinear(fields, ray.x).w;
+    const auto leaves = [&](double ds) {
+        const glm::dvec3 unit = glm::normalize(ray.w);
+        const double exit = f64::distanceToExit(ray.x, unit, low, high);
+        ray.x += unit * std::min(exit, ds);
+        return exit < ds;
+    };
+    while (!leaves(0.5 * step)) {
+        ray = f64::kickByLength(ray, glm::dvec3(test::trilinear(fields, ray.x)), step);
+        if (leaves(0.5 * step)) break;
+    }
+    return {ray.x, ray.w};
+}
+
+TEST(Trace, AgreesWithAMarchInDoubleThroughTheSameField) {
+    const Fields fields = test::sphereFields(test::cube(64, 1.0), 0.7, 1.5, 0.05);
+    const auto rays = parallelRays(0.68, 300, {0.3, 0.2, 1.0}, 3.0);
+    for (const double stepVoxels : {0.5, 1.0, 3.0}) {
+        const auto results = traced(fields, rays, stepVoxels);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Ended exact = marchedInDouble(fields, rays[i], stepVoxels * fields.lattice.voxel);
+            EXPECT_LE(glm::length(results[i].position - exact.x), 1e-4) << "ray " << i << ", step " << stepVoxels;
+            EXPECT_LE(glm::length(results[i].direction - glm::normalize(exact.w)), 1e-4) << "ray " << i;
+        }
+    }
+}
+
+TEST(Trace, PathsEndWhereRaysEndWhateverTheSlices) {
+    const Fields fields = test::sphereFields(test::cube(32, 1.0), 0.7, 1.5, 0.1);
+    const auto rays = parallelRays(0.6, 20, {0.0, 0.0, 1.0}, 3.0);
+    const auto ends = traced(fields, rays);
+    const auto points = tracePaths(sharedContext(), fields, test::effectsOf(kScene, fields), {}, rays);
+    std::vector<const TraceResult*> last(rays.size(), nullptr);
+    for (const TracePoint& point : points) last[point.ray] = &point.at;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ASSERT_NE(last[i], nullptr);
+        EXPECT_EQ(last[i]->position, ends[i].position) << "slices of one step must change no bit";
+        EXPECT_EQ(last[i]->direction, ends[i].direction);
+        EXPECT_EQ(last[i]->opticalLength, ends[i].opticalLength);
+        EXPECT_EQ(last[i]->evaluations, ends[i].evaluations);
+    }
+}
+
+TEST(Trace, StraightRaysKeepDirectionAndMeasureTheBox) {
+    const Fields fields = test::uniformFields(test::cube(16, 1.0), 1.5);
+    const auto results = traced(fields, {{{0.1, 0.2, -5.0}, {0.0, 0.0, 2.0}},     // through
+                                         {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},      // from inside
+                                         {{0.0, 3.0, 0.0}, {1.0, 0.0, 0.0}},      // past it
+                                         {{0.0, 0.0, 3.0}, {0.0, 0.0, 1.0}}});    // away from it
+    EXPECT_EQ(results[0].status, TraceStatus::kExited);
+    EXPECT_EQ(results[0].direction, glm::dvec3(0.0, 0.0, 1.0));
+    EXPECT_NEAR(results[0].length, 2.0, 1e-5);
+    EXPECT_NEAR(results[0].opticalLength, 3.0, 1e-5);
+    EXPECT_EQ(results[0].position.z, 1.0);
+    EXPECT_NEAR(results[1].length, 1.0, 1e-5);
+    EXPECT_EQ(results[2].status, TraceStatus::kMissed);
+    EXPECT_EQ(results[2].position, glm::dvec3(0.0, 3.0, 0.0));
+    EXPECT_EQ(results[2].evaluations, 0u);
+    EXPECT_EQ(results[3].status, TraceStatus::kMissed);
+    EXPECT_EQ(results[3].direction, glm::dvec3(0.0, 0.0, 1.0));
+}
+
+TEST(Trace, NoRaysAndOneVoxelAreFine) {
+    const Fields fields = test::uniformFields(test::cube(1, 1.0));
+    EXPECT_TRUE(traced(fields, {}).empty());
+    const auto results = traced(fields, {{{0.0, 0.0, -2.0}, {0.0, 0.0, 1.0}}});
+    EXPECT_NEAR(results[0].length, 2.0, 1e-6);
+}
+
+TEST(Trace, CountsOpticalDepthAndOpaqueHits) {
+    const Lattice lattice = test::cube(32, 1.0);
+    Fields fields = test::uniformFields(lattice);
+    fields.sigmaA = test::boxGrid(lattice, {-1.0, -1.0, -0.4}, {1.0, 1.0, 0.3}, {0.5f, 1.0f, 2.0f});
+    fields.albedo = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.5f));
+    const auto coverage = test::boxGrid(lattice, {-1.0, -1.0, 0.61}, {1.0, 1.0, 0.9}, glm::vec3(1.0f));
+    fields.opaque = DenseGrid<float>(lattice.size, 0.0f);
+    for (std::size_t i = 0; i < coverage.values.size(); ++i) fields.opaque.values[i] = coverage.values[i].x;
+    const auto results = traced(fields, {{{0.03, 0.01, -3.0}, {0.0, 0.0, 1.0}}, {{0.0, 0.0, -0.9}, {0.0, 0.0, -1.0}}});
+    EXPECT_EQ(results[0].status, TraceStatus::kAbsorbed);
+    EXPECT_NEAR(results[0].position.z, 0.61, 0.01);
+    EXPECT_NEAR(results[0].depth.x, 0.35, 1e-4);
+    EXPECT_NEAR(results[0].depth.z, 1.4, 1e-4);
+    EXPECT_EQ(results[1].status, TraceStatus::kExited);
+}
+
+TEST(Trace, FilteringByHandAgreesWithTheTextureUnit) {
+    if (!sharedContext().limits().exactLinearFiltering) GTEST_SKIP() << "the texture unit is not exact here";
+    const Fields fields = test::sphereFields(test::cube(32, 1.0), 0.7, 1.5, 0.1);
+    const auto rays = parallelRays(0.6, 100, {0.1, 0.2, 1.0}, 3.0);
+    const auto byUnit = traced(fields, rays);
+    std::vector<TraceResult> byHand;
+    {
+        const gpu::Context manual = gpu::Context::windowless({.forceManualFiltering = true});
+        byHand = traceRays(manual, fields, test::effectsOf(kScene, fields), {}, rays);
+    }
+    sharedContext().makeCurrent();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_LE(glm::length(byUnit[i].direction - byHand[i].direction), 2e-5) << "ray " << i;
+    }
+}
+
+} // namespace
+} // namespace eikonal
