@@ -52,7 +52,7 @@ Bounds boundsOf(const Mesh& mesh);
 double meshVolume(const Mesh& mesh);
 
 /// Signed distance at the voxels' centres [scene units], negative inside, clamped to ±bandVoxels voxels; right also deep
-/// inside and in inner cavities. The mesh must be closed. `worldFromMesh` is any affine map.
+/// inside and in inner cavities. Exact to rounding within the band. The mesh must be closed. `worldFromMesh` is any affine map.
 /// Throws badInput if the mesh lies within the lattice's box and encloses no voxel's centre.
 DenseGrid<float> signedDistance(const Mesh& mesh, const Lattice& lattice, const glm::dmat4& worldFromMesh,
                                 double bandVoxels);

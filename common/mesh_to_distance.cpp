@@ -1,5 +1,6 @@
-// Signed distance of a mesh on a lattice. The distance is OpenVDB's; the sign is ours, from winding numbers along the
-// lattice's lines: OpenVDB floods from outside, which fills inner cavities and takes an open mesh for nothing.
+// Signed distance of a mesh on a lattice: exact distances to triangles, signs from winding numbers along the lattice's
+// lines. OpenVDB's meshToVolume passes distances from voxel to voxel, which is off by up to a voxel two voxels away from a
+// finely triangulated sphere (index noise along every boundary), fills inner cavities, and takes an open mesh for nothing.
 
 #include "common/mesh.h"
 
@@ -8,35 +9,15 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
-#include <openvdb/tools/MeshToVolume.h>
+#include <tbb/parallel_for.h>
 
 #include "common/error.h"
 #include "common/interrupt.h"
+#include "common/mesh_bvh.h"
 #include "common/mesh_scanlines.h"
 
 namespace eikonal {
 namespace {
-
-/// What meshToVolume asks for: triangles with corners in the space of voxel indices.
-struct TriangleAdapter {
-    const std::vector<glm::dvec3>& vertices;
-    const std::vector<glm::ivec3>& triangles;
-
-    std::size_t polygonCount() const { return triangles.size(); }
-    std::size_t pointCount() const { return vertices.size(); }
-    std::size_t vertexCount(std::size_t) const { return 3; }
-    void getIndexSpacePoint(std::size_t n, std::size_t v, openvdb::Vec3d& position) const {
-        const glm::dvec3& p = vertices[std::size_t(triangles[n][int(v)])];
-        position = openvdb::Vec3d(p.x, p.y, p.z);
-    }
-};
-
-struct Interrupter {
-    void start(const char* = nullptr) {}
-    void end() {}
-    bool wasInterrupted(int = -1) { return interrupted(); }
-};
 
 Mesh inIndexSpace(const Mesh& mesh, const Lattice& lattice, const glm::dmat4& worldFromMesh) {
     Mesh result{{}, mesh.triangles};
@@ -44,20 +25,6 @@ Mesh inIndexSpace(const Mesh& mesh, const Lattice& lattice, const glm::dmat4& wo
     for (const glm::dvec3& v : mesh.vertices)
         result.vertices.push_back((glm::dvec3(worldFromMesh * glm::dvec4(v, 1.0)) - lattice.min) / lattice.voxel - 0.5);
     return result;
-}
-
-/// Triangles that come within the band of the lattice: the rest of a large mesh would cost memory for nothing.
-std::vector<glm::ivec3> trianglesNear(const Mesh& mesh, const glm::ivec3& size, double band) {
-    const glm::dvec3 low(-band - 1.0), high = glm::dvec3(size) + band;
-    std::vector<glm::ivec3> near;
-    for (const glm::ivec3& t : mesh.triangles) {
-        const glm::dvec3 &a = mesh.vertices[std::size_t(t.x)], &b = mesh.vertices[std::size_t(t.y)],
-                         &c = mesh.vertices[std::size_t(t.z)];
-        const glm::dvec3 min = glm::min(glm::min(a, b), c), max = glm::max(glm::max(a, b), c);
-        if (glm::all(glm::lessThanEqual(min, high)) && glm::all(glm::greaterThanEqual(max, low)))
-            near.push_back(t);
-    }
-    return near;
 }
 
 /// Counts on how many of the three axes' lines each voxel's centre is inside.
@@ -89,17 +56,11 @@ bool liesInside(const Bounds& bounds, const glm::ivec3& size) {
            glm::all(glm::lessThanEqual(bounds.max, glm::dvec3(size) - 0.5));
 }
 
-openvdb::FloatGrid::Ptr bandOf(const Mesh& mesh, const glm::ivec3& size, double band) {
-    openvdb::initialize();
-    const std::vector<glm::ivec3> near = trianglesNear(mesh, size, band);
-    const TriangleAdapter adapter{mesh.vertices, near};
-    Interrupter interrupter;
-    const auto identity = openvdb::math::Transform::createLinearTransform(1.0);
-    auto grid = openvdb::tools::meshToVolume<openvdb::FloatGrid>(interrupter, adapter, *identity, float(band) + 1.0f,
-                                                                 float(band) + 1.0f,
-                                                                 openvdb::tools::UNSIGNED_DISTANCE_FIELD);
-    throwIfInterrupted();
-    return grid;
+/// Distances of one row of voxels, in voxels; the nearest triangle of one voxel is near the nearest of the next.
+void fillRow(const MeshBvh& bvh, int j, int k, double band, DenseGrid<float>& distance) {
+    int nearest = -1;
+    for (int i = 0; i < distance.size.x; ++i)
+        distance.at(i, j, k) = float(bvh.distance(glm::dvec3(i, j, k), band, nearest));
 }
 
 } // namespace
@@ -113,16 +74,15 @@ DenseGrid<float> signedDistance(const Mesh& mesh, const Lattice& lattice, const 
         throw badInput(fmt::format("expected a mesh that encloses a volume, found {} triangles around no voxel's centre: "
                                    "no solid, or too small for voxels of {:.4g}",
                                    mesh.triangles.size(), lattice.voxel));
-    const openvdb::FloatGrid::Ptr band = bandOf(indexed, lattice.size, bandVoxels);
-    const auto accessor = band->getConstAccessor();
+    const MeshBvh bvh(indexed);
     DenseGrid<float> distance(lattice.size, 0.0f);
-    for (int k = 0; k < lattice.size.z; ++k)
-        for (int j = 0; j < lattice.size.y; ++j)
-            for (int i = 0; i < lattice.size.x; ++i) {
-                const double voxels = std::min(std::abs(double(accessor.getValue({i, j, k}))), bandVoxels);
-                const double sign = votes.at(i, j, k) >= 2 ? -1.0 : 1.0;
-                distance.at(i, j, k) = float(sign * voxels * lattice.voxel);
-            }
+    tbb::parallel_for(0, lattice.size.z, [&](int k) {
+        for (int j = 0; j < lattice.size.y && !interrupted(); ++j)
+            fillRow(bvh, j, k, bandVoxels, distance);
+    });
+    throwIfInterrupted();
+    for (std::size_t i = 0; i < distance.values.size(); ++i)
+        distance.values[i] *= float(votes.values[i] >= 2 ? -lattice.voxel : lattice.voxel);
     return distance;
 }
 
