@@ -1,5 +1,5 @@
-// Viewing rays through the domain, a slice of their steps: drift, kick, drift by arc length (physics/ray.glsl). The first
-// and last drift are cut at the faces. Rays that have ended return at once.
+// Viewing rays through the domain, a slice of their steps: drift, kick, drift by arc length (physics/ray.glsl). The last
+// step is cut at the face. Rays that have ended return at once.
 #include "viewer/ray_states.glsl"
 #include "fields/fields.glsl"
 #include "physics/ray.glsl"
@@ -22,27 +22,41 @@ bool outside(vec3 x) {
     return any(lessThan(x, domainMin)) || any(greaterThan(x, domainMax));
 }
 
+float distanceToFace(RayState ray) {
+    return distanceToExit(ray.x, unitDirection(ray), domainMin, domainMax);
+}
+
+// Length of the next step: the last one ends at the face, so that it turns the ray by no more than it goes. It may be as
+// short as kShortestStep of the usual one; below that the ray is taken to stand on the face.
+const float kShortestStep = 1e-3;
+
+float nextStepLength(RayState ray) {
+    if (!outside(driftByLength(Ray(ray.x, ray.w), stepLength).x)) {
+        return stepLength;
+    }
+    return clamp(distanceToFace(ray), kShortestStep * stepLength, stepLength);
+}
+
 // Moves the ray straight on, to the face of the domain at most; the length it went.
 float drift(inout RayState ray, float ds) {
-    Ray moved = driftByLength(Ray(ray.x, ray.w), ds);
+    vec3 moved = driftByLength(Ray(ray.x, ray.w), ds).x;
     float went = ds;
-    if (outside(moved.x)) {
-        vec3 direction = unitDirection(ray);
-        went = min(distanceToExit(ray.x, direction, domainMin, domainMax), ds);
-        moved.x = clamp(ray.x + direction * went, domainMin, domainMax);
+    if (outside(moved)) {
+        went = min(distanceToFace(ray), ds);
+        moved = clamp(driftByLength(Ray(ray.x, ray.w), went).x, domainMin, domainMax);
         ray.status = kExited;
     }
-    ray.x = moved.x;
+    ray.x = moved;
     return went;
 }
 
 // Evaluates the field where the ray is and turns it; the direction half way through the kick.
-vec3 kick(inout RayState ray) {
+vec3 kick(inout RayState ray, float ds) {
     Optics optics = sampleOptics(ray.x);
     ray.evaluations += 1u;
 #ifdef EFFECT_REFRACTION
-    vec3 wMiddle = kickByLength(Ray(ray.x, ray.w), optics.gradN, 0.5 * stepLength).w;
-    ray.w = kickByLength(Ray(ray.x, ray.w), optics.gradN, stepLength).w;
+    vec3 wMiddle = kickByLength(Ray(ray.x, ray.w), optics.gradN, 0.5 * ds).w;
+    ray.w = kickByLength(Ray(ray.x, ray.w), optics.gradN, ds).w;
 #else
     vec3 wMiddle = ray.w;
 #endif
@@ -51,17 +65,24 @@ vec3 kick(inout RayState ray) {
     return wMiddle / length(wMiddle);
 }
 
+// The second drift of the last step goes on to the face, which the turn has moved a little nearer or farther.
+float lastDrift(inout RayState ray, float ds) {
+    float toFace = distanceToFace(ray);
+    return drift(ray, toFace < 2.0 * ds ? 1.001 * toFace + kShortestStep * stepLength : ds);
+}
+
 Step takeStep(inout RayState ray) {
     Step taken;
+    float ds = nextStepLength(ray);
     taken.start = ray.x;
-    taken.first = drift(ray, 0.5 * stepLength);
+    taken.first = drift(ray, 0.5 * ds);
     taken.middle = ray.x;
     taken.second = 0.0;
     if (ray.status == kExited) {
         taken.direction = unitDirection(ray);
     } else {
-        taken.direction = kick(ray);
-        taken.second = drift(ray, 0.5 * stepLength);
+        taken.direction = kick(ray, ds);
+        taken.second = ds < stepLength ? lastDrift(ray, 0.5 * ds) : drift(ray, 0.5 * ds);
     }
     taken.end = ray.x;
     return taken;
