@@ -17,9 +17,9 @@ using glm::vec3;
 
 #define BAKE_PATCHES_BINDING 0
 #define BAKE_QUEUE_BINDING 1
-#define BAKE_FRAMES_BINDING 2   // emit and refine
+#define BAKE_FRAMES_BINDING 2   // emit, refine and split
 #define BAKE_RECORDS_BINDING 3  // emit and refine
-#define BAKE_LEDGER_BINDING 4   // emit and refine
+#define BAKE_LEDGER_BINDING 4   // retire
 #define BAKE_FLUX_BINDING 2        // deposit: flux along x, y, z at 2, 3, 4
 #define BAKE_IRRADIANCE_BINDING 5  // deposit: bands at 5, 6, 7
 #define BAKE_SETTINGS_BINDING 1    // uniform block
@@ -27,9 +27,9 @@ using glm::vec3;
 // What a corner particle is doing.
 #define PARTICLE_WAITING 0u  // on its straight way to the domain
 #define PARTICLE_INSIDE 1u
-#define PARTICLE_EXITED 2u   // left the domain; not yet in the ledger
-#define PARTICLE_BLOCKED 3u  // hit opaque matter; not yet in the ledger
-#define PARTICLE_GONE 4u     // left, blocked or missed the domain, and in the ledger if it had power
+#define PARTICLE_EXITED 2u   // left the domain
+#define PARTICLE_BLOCKED 3u  // hit opaque matter
+#define PARTICLE_MISSED 4u   // never meets the domain
 
 // Rows of the energy ledger; each holds three bands.
 #define LEDGER_ENTERED 0
@@ -68,14 +68,14 @@ struct Particle {
     vec3 transmittance;   // of the medium so far
     float throughputP;
     vec3 meanShare;       // mean of transmittance x throughput over the last step
-    float enteredShare;   // 1 if it entered since the patch began
+    float enteredShare;   // 1 once it has entered
     vec3 normal;          // Crossing
     float gradMax;
     float nStart;
     float nLast;
     float wTangential;
     float sideAtStart;
-    vec3 absorbedShare;   // since the patch began
+    vec3 absorbedShare;
     float unusedA;
     vec3 scatteredShare;
     float unusedB;
@@ -106,15 +106,27 @@ struct LaunchRecord {
     uint unusedB;
 };
 
-// Counters of the pool; the index lists of capacity entries each follow in the same block:
-// live (even rounds), live (odd rounds), ring of free slots.
+// Index lists of the pool, of capacity entries each, that follow QueueState in its block; 0 and 1 hold the live patches
+// of even and odd rounds.
+#define FREE_RING 2u    // slots free to take, between freeHead and freeTail
+#define RETIRE_LIST 3u
+#define SPLIT_LIST 4u         // slot, and a bit for the side to split
+#define SPLIT_TARGET_LIST 5u  // slot of its second half
+#define POOL_LISTS 6u
+#define SPLIT_ALONG_U 0x80000000u
+
+// Counters of the pool.
 struct QueueState {
     uvec3 particleGroups;   // indirect dispatch: a particle an invocation
     uint liveCount;
     uvec3 patchGroups;      // indirect dispatch: a patch an invocation
     uint nextLiveCount;
-    uvec3 emitGroups;       // indirect dispatch: a new patch an invocation
+    uvec3 emitGroups;       // indirect dispatch: a corner of a new patch an invocation
     uint emitCount;
+    uvec3 retireGroups;     // indirect dispatch: a listed patch an invocation
+    uint retireCount;
+    uvec3 splitGroups;      // indirect dispatch: a new corner of a listed patch an invocation
+    uint splitCount;
     uint recordCount;       // launch records waiting
     uint recordTake;        // of them, taken by this round's emit
     uint nextCell;          // first cell of the launch grids not yet emitted
@@ -154,7 +166,7 @@ static_assert(sizeof(LaunchFrame) == 96 && offsetof(LaunchFrame, strength) == 64
 static_assert(sizeof(Particle) == 160 && offsetof(Particle, nStart) == 96);
 static_assert(sizeof(WavefrontPatch) == 688 && offsetof(WavefrontPatch, power) == 656);
 static_assert(sizeof(LaunchRecord) == 32);
-static_assert(sizeof(QueueState) == 112 && offsetof(QueueState, recordCount) == 48);
+static_assert(sizeof(QueueState) == 144 && offsetof(QueueState, recordCount) == 80);
 static_assert(sizeof(BakeSettings) == 48);
 } // namespace eikonal::bake
 #endif

@@ -1,0 +1,76 @@
+#pragma once
+// The light simulator: wavefront patches of a scene's lights are propagated through its index field and leave
+// irradiance and light direction on the domain's lattice.
+// Method: A. Tevs, Realistic Real-time Rendering of Refractive Objects (2007), chapters 4 and 6, with the corrections of
+// docs/physics.md: every arrival is kept and added, folded or not.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "common/baked_light.h"
+#include "common/effects.h"
+#include "common/fields.h"
+#include "common/gpu/context.h"
+#include "common/scene.h"
+
+namespace eikonal {
+
+struct BakeOptions {
+    std::uint32_t poolPatches = 16384;  ///< patches alive at a time; any number >= 8 gives the same grids
+    std::size_t maxBlockBytes = 0;      ///< largest storage block; 0: the device's limit. Smaller ones take more passes
+    std::function<void(double fraction)> progress;  ///< called now and then with the share of the light launched
+};
+
+/// Where the launched power went, by band [power].
+struct EnergyLedger {
+    glm::dvec3 emitted{0.0};    ///< point: power; beam: irradiance × projected area of the domain
+    glm::dvec3 entered{0.0};
+    glm::dvec3 absorbed{0.0};   ///< by the medium and by opaque matter
+    glm::dvec3 absorbedOpaque{0.0};  ///< of it, by opaque matter
+    glm::dvec3 scattered{0.0};
+    glm::dvec3 exited{0.0};
+    glm::dvec3 reflected{0.0};  ///< at boundaries, and not followed
+    glm::dvec3 culled{0.0};     ///< below the energy threshold, or at the step limit
+    glm::dvec3 depositedAbsorbed{0.0};   ///< Σ σ_a E V of the written grid: should equal absorbed - absorbedOpaque
+    glm::dvec3 depositedScattered{0.0};  ///< Σ σ_s E V of the written grid: should equal scattered
+
+    /// 1 - (absorbed + scattered + exited + reflected + culled)/entered; 0 where nothing entered.
+    glm::dvec3 balance() const;
+};
+
+struct PatchCounts {
+    std::uint64_t peak = 0;              ///< most alive at a time
+    std::uint64_t steps = 0;             ///< every patch advanced one step
+    std::uint64_t fieldEvaluations = 0;  ///< of corners, relaunched ones included
+    std::uint64_t splits = 0;
+    std::uint64_t folds = 0;             ///< changes of orientation
+    std::uint64_t refusedSplits = 0;     ///< for want of memory; the patch lived on unsplit
+};
+
+struct BakeSeconds {
+    double upload = 0.0;
+    double propagate = 0.0;  ///< emit, propagate, deposit and refine
+    double read = 0.0;       ///< fixed point to grids, ledger
+    double total = 0.0;
+};
+
+struct BakeStatistics {
+    BakeSeconds seconds;
+    PatchCounts patches;
+    EnergyLedger energy;
+    std::string device;
+    std::size_t memoryBytes = 0;  ///< of buffers and textures
+};
+
+struct BakeResult {
+    BakedLight light;
+    BakeStatistics statistics;
+};
+
+/// Bakes the light of a scene. `effects` decides what acts on it. Without lights the grids are zero.
+/// Throws Error(kFailure) when interrupted, badInput for a lattice beyond the device.
+BakeResult bakeScene(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
+                     const BakeOptions& options);
+
+} // namespace eikonal

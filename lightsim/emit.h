@@ -1,0 +1,27 @@
+#pragma once
+// Emit: the lights of a scene as launch surfaces, from which patches begin.
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "common/lattice.h"
+#include "common/scene.h"
+#include "shaders/shared/bake_blocks.h"
+
+namespace eikonal::bake {
+
+/// The launch grids of all lights, cells numbered through.
+struct LaunchGrids {
+    std::vector<LaunchFrame> frames;
+    std::uint32_t cellCount = 0;
+    glm::dvec3 emitted{0.0};  ///< power of all lights (a beam's over the projected area of the domain)
+    double strongestPower = 0.0;      ///< Σ over lights of the strongest band
+    double strongestCellPower = 0.0;  ///< bound of the power of one cell, strongest band
+};
+
+/// Launch grids whose cells are at most `maxSide` [scene units] where a beam or a distant light enters the domain, and
+/// small angles about a near one. Patches with less than `splitShare` of their light's power are not split.
+LaunchGrids launchGrids(const std::vector<Light>& lights, const Lattice& lattice, double maxSide, double splitShare);
+
+} // namespace eikonal::bake

@@ -1,0 +1,44 @@
+#include "lightsim/ledger.h"
+
+#include "shaders/shared/bake_blocks.h"
+
+namespace eikonal {
+
+glm::dvec3 EnergyLedger::balance() const {
+    const glm::dvec3 accounted = absorbed + scattered + exited + reflected + culled;
+    glm::dvec3 rest(0.0);
+    for (int band = 0; band < 3; ++band) {
+        rest[band] = entered[band] > 0.0 ? 1.0 - accounted[band] / entered[band] : 0.0;
+    }
+    return rest;
+}
+
+namespace bake {
+
+void readLedger(const std::vector<double>& rows, double unit, EnergyLedger& ledger) {
+    const auto row = [&](std::size_t i) { return glm::dvec3(rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]) * unit; };
+    ledger.entered = row(LEDGER_ENTERED);
+    ledger.absorbedOpaque = row(LEDGER_OPAQUE);
+    ledger.absorbed = row(LEDGER_ABSORBED) + ledger.absorbedOpaque;
+    ledger.scattered = row(LEDGER_SCATTERED);
+    ledger.exited = row(LEDGER_EXITED);
+    ledger.reflected = row(LEDGER_REFLECTED);
+    ledger.culled = row(LEDGER_CULLED);
+}
+
+void integrateDeposits(const Fields& fields, const BakedLight& light, EnergyLedger& ledger) {
+    const double volume = light.lattice.voxel * light.lattice.voxel * light.lattice.voxel;
+    for (std::size_t i = 0; i < light.irradiance.values.size(); ++i) {
+        const double freeShare = fields.opaque.empty() ? 1.0 : 1.0 - fields.opaque.values[i];
+        const glm::dvec3 energy = glm::dvec3(light.irradiance.values[i]) * (volume * freeShare);
+        if (!fields.sigmaA.empty()) {
+            ledger.depositedAbsorbed += glm::dvec3(fields.sigmaA.values[i]) * energy;
+        }
+        if (!fields.sigmaS.empty()) {
+            ledger.depositedScattered += glm::dvec3(fields.sigmaS.values[i]) * energy;
+        }
+    }
+}
+
+} // namespace bake
+} // namespace eikonal

@@ -1,0 +1,91 @@
+#include "lightsim/settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal::bake {
+
+namespace {
+
+constexpr double kDefaultTolerance = 0.02;
+// Light that is still in the domain after this many optical diagonals is caught in total reflection: culled.
+constexpr double kMaxDiagonals = 4.0;
+// Kernels trace a whole path in one dispatch; software renderers end loops at 65535 iterations.
+constexpr double kMaxSteps = 49999.0;
+constexpr std::uint32_t kRecordCapacity = 1u << 20;
+
+struct IorRange {
+    double low, high;
+};
+
+IorRange iorRangeOf(const Fields& fields) {
+    if (fields.ior.empty()) {
+        return {fields.iorUniform, fields.iorUniform};
+    }
+    const auto [low, high] = std::minmax_element(fields.ior.values.begin(), fields.ior.values.end());
+    return {*low, *high};
+}
+
+bool isGrey(const DenseGrid<glm::vec3>& grid) {
+    return std::all_of(grid.values.begin(), grid.values.end(),
+                       [](const glm::vec3& value) { return value.x == value.y && value.y == value.z; });
+}
+
+glm::dvec3 strengthOf(const Light& light) {
+    if (const auto* beam = std::get_if<DirectionalLight>(&light)) {
+        return beam->irradiance;
+    }
+    return std::get<PointLight>(light).power;
+}
+
+} // namespace
+
+Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
+    const double voxel = fields.lattice.voxel;
+    const double refinement = std::clamp(std::sqrt(accuracy.tolerance / kDefaultTolerance), 0.25, 2.0);
+    const glm::ivec3 size = fields.lattice.size;
+    const double longest = std::max({size.x, size.y, size.z});
+    Criteria criteria{};
+    // A step is at most one voxel of length where n is least; more of them gain nothing over the floor that trilinear
+    // interpolation sets (docs/physics.md, section 1).
+    criteria.opticalStep = accuracy.stepVoxels.value_or(1.0) * voxel * std::min(1.0, iorRangeOf(fields).low);
+    criteria.maxSide = refinement * voxel;
+    // The light's mean power per voxel of a cross-section, times the share of it that may be misplaced by not splitting.
+    criteria.splitShare = 0.5 * accuracy.tolerance / (longest * longest);
+    criteria.cullShare = 1e-3 * accuracy.tolerance;
+    return criteria;
+}
+
+BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, const Fields& fields,
+                        const BakeOptions& options) {
+    const double diagonal = glm::length(fields.lattice.extent()) * std::max(1.0, iorRangeOf(fields).high);
+    BakeSettings settings{};
+    settings.opticalStep = float(criteria.opticalStep);
+    settings.maxSide = float(criteria.maxSide);
+    settings.cullShare = float(criteria.cullShare);
+    settings.maxSteps = std::uint32_t(std::min(kMaxSteps, std::ceil(kMaxDiagonals * diagonal / criteria.opticalStep)));
+    // The largest splat, a whole cell of a launch grid over four voxels of path, fits one signed word; all the power along
+    // the longest path into a single voxel stays below 2^60 units, and flux sums three bands.
+    const double power = std::max(grids.strongestPower, 1e-300);
+    const double longestPathVoxels = settings.maxSteps * criteria.opticalStep / fields.lattice.voxel /
+                                     std::min(1.0, iorRangeOf(fields).low);
+    settings.depositScale = float(std::min(std::exp2(30.0) / (3.0 * 4.0 * grids.strongestCellPower),
+                                           std::exp2(60.0) / (power * longestPathVoxels)));
+    settings.ledgerScale = float(std::exp2(52.0) / power);
+    settings.cellCount = grids.cellCount;
+    settings.capacity = std::max(8u, options.poolPatches);
+    settings.recordCapacity = kRecordCapacity;
+    return settings;
+}
+
+int bandsOf(const Scene& scene, const Fields& fields, const EffectSet& effects) {
+    const bool greyMatter = (!effects.has(Effect::kAbsorption) || isGrey(fields.sigmaA)) &&
+                            (!effects.has(Effect::kScattering) || isGrey(fields.sigmaS));
+    const bool greyLight = std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+        const glm::dvec3 strength = strengthOf(light);
+        return strength.x == strength.y && strength.y == strength.z;
+    });
+    return greyMatter && greyLight ? 1 : 3;
+}
+
+} // namespace eikonal::bake

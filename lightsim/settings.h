@@ -1,0 +1,27 @@
+#pragma once
+// What the accuracy of a scene means for the bake.
+
+#include "common/fields.h"
+#include "lightsim/bake.h"
+#include "lightsim/emit.h"
+
+namespace eikonal::bake {
+
+/// Sizes and thresholds that follow from the scene's tolerance.
+struct Criteria {
+    double opticalStep;  ///< [scene units]
+    double maxSide;      ///< of a patch [scene units]
+    double splitShare;   ///< of a light's power: patches with less left are not split
+    double cullShare;    ///< of a patch's launched power: patches with less left end
+};
+
+Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields);
+
+/// The uniform block of the kernels, fixed-point scales chosen so that no sum can overflow.
+BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, const Fields& fields,
+                        const BakeOptions& options);
+
+/// 1 when every light is of one colour and every optical constant is grey, else 3.
+int bandsOf(const Scene& scene, const Fields& fields, const EffectSet& effects);
+
+} // namespace eikonal::bake

@@ -1,0 +1,175 @@
+// One corner particle: launched at the source, advanced by constant steps of optical path.
+// The same lines run in emit, propagate and refine, so that a ray traced anew from the source repeats the old one.
+#include "fields/fields.glsl"
+#include "lightsim/share.glsl"
+#include "physics/ray.glsl"
+#include "physics/box.glsl"
+#include "physics/fresnel.glsl"
+#include "physics/boundary.glsl"
+#include "physics/attenuation.glsl"
+
+Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
+    Particle particle;
+    vec3 offset = frame.a * launch.x + frame.b * launch.y;
+    vec3 target = frame.centre + offset;
+    vec3 direction = frame.origin;
+    float targetPath = frame.phase;  // optical path at the target
+    float sourceDistance = 1.0e30;
+    if (frame.isPoint != 0u) {
+        vec3 toTarget = frame.axis + offset;
+        sourceDistance = length(toTarget);
+        direction = toTarget / sourceDistance;
+        // |axis + offset| - |axis| without cancellation: frames are built with offset perpendicular to axis
+        targetPath += dot(offset, offset) / (sourceDistance + length(frame.axis));
+    }
+    BoxSpan span = boxSpan(target, direction, domainMin, domainMax);
+    bool meetsDomain = span.enter < span.leave && span.leave > -sourceDistance;
+    particle.status = meetsDomain ? PARTICLE_WAITING : PARTICLE_MISSED;
+    particle.enterPath = max(targetPath + span.enter, 0.0);  // 0: the source is inside
+    particle.x = target - direction * targetPath;
+    particle.w = direction;
+    particle.xPrevious = particle.x;
+    particle.throughputS = 1.0;
+    particle.throughputP = 1.0;
+    particle.transmittance = vec3(1.0);
+    particle.meanShare = vec3(1.0);
+    particle.enteredShare = 0.0;
+    particle.normal = vec3(0.0);
+    particle.gradMax = 0.0;
+    particle.nStart = 1.0;
+    particle.nLast = 1.0;
+    particle.wTangential = 0.0;
+    particle.sideAtStart = 0.0;
+    particle.absorbedShare = vec3(0.0);
+    particle.scatteredShare = vec3(0.0);
+    particle.reflectedShare = vec3(0.0);
+    particle.unusedA = 0.0;
+    particle.unusedB = 0.0;
+    particle.unusedC = 0.0;
+    return particle;
+}
+
+Particle enterDomain(Particle particle, vec3 entry) {
+    Particle inside = particle;
+    float n = sampleOptics(entry).n;
+    inside.x = entry;
+    inside.w = particle.w * n;
+    inside.status = PARTICLE_INSIDE;
+    inside.enteredShare = 1.0;
+    inside.nLast = n;
+    return inside;
+}
+
+// Medium along the part of the step inside the domain, from its midpoint: exact for constant extinction.
+Particle attenuate(Particle particle, vec3 midpoint, float arcLength) {
+    Particle after = particle;
+    vec3 before = remainingShare(particle);
+    after.meanShare = before;
+#if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING)
+    vec3 sigmaA = vec3(0.0);
+    vec3 sigmaS = vec3(0.0);
+#ifdef EFFECT_ABSORPTION
+    sigmaA = sampleSigmaA(midpoint);
+#endif
+#ifdef EFFECT_SCATTERING
+    sigmaS = sampleSigmaS(midpoint).rgb;
+#endif
+    vec3 tau = (sigmaA + sigmaS) * arcLength;
+    vec3 meanOverStep = meanTransmittance3(tau);
+    after.meanShare = before * meanOverStep;
+    after.absorbedShare = particle.absorbedShare + after.meanShare * sigmaA * arcLength;
+    after.scatteredShare = particle.scatteredShare + after.meanShare * sigmaS * arcLength;
+    after.transmittance = particle.transmittance * (1.0 - tau * meanOverStep);
+#endif
+    return after;
+}
+
+// Fresnel loss where the step has left an interface (physics/boundary.glsl).
+Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN) {
+    Particle after = particle;
+#ifdef EFFECT_REFLECTION
+    Crossing crossing;
+    crossing.normal = particle.normal;
+    crossing.gradMax = particle.gradMax;
+    crossing.nStart = particle.nStart;
+    crossing.nLast = particle.nLast;
+    crossing.wTangential = particle.wTangential;
+    crossing.sideAtStart = particle.sideAtStart;
+    bool inBand = inInterface(x);
+    if (crossingEnds(crossing, inBand, gradN)) {
+        Polarised transmittance = crossingTransmittance(crossing, w, crossingEndIndex(crossing, inBand, n));
+        after.throughputS = particle.throughputS * transmittance.s;
+        after.throughputP = particle.throughputP * transmittance.p;
+        after.reflectedShare =
+            particle.reflectedShare + particle.transmittance * (throughputOf(particle) - throughputOf(after));
+    }
+    crossing = crossingAfter(crossing, inBand, w, n, gradN);
+    after.normal = crossing.normal;
+    after.gradMax = crossing.gradMax;
+    after.nStart = crossing.nStart;
+    after.nLast = crossing.nLast;
+    after.wTangential = crossing.wTangential;
+    after.sideAtStart = crossing.sideAtStart;
+#endif
+    return after;
+}
+
+bool insideDomain(vec3 x) {
+    return all(greaterThanEqual(x, domainMin)) && all(lessThanEqual(x, domainMax));
+}
+
+// The particle leaves through a face of the domain: the medium acts up to the face, beyond it the ray is straight.
+Particle leaveDomain(Particle particle, Ray before, Ray end) {
+    vec3 along = end.x - before.x;
+    float reach = length(along);
+    float inside = min(distanceToExit(before.x, along / max(reach, 1.0e-30), domainMin, domainMax), reach);
+    Particle after = attenuate(particle, before.x + along * (0.5 * inside / max(reach, 1.0e-30)), inside);
+    after.status = PARTICLE_EXITED;
+    after.x = end.x;
+    after.w = normalize(end.w);
+    return after;
+}
+
+// Drift-kick-drift inside the domain over the optical path dt; one field evaluation.
+Particle advanceInside(Particle particle, float dt) {
+    Ray before;
+    before.x = particle.x;
+    before.w = particle.w;
+    Ray middle = driftByOpticalPath(before, 0.5 * dt);
+    Optics optics = sampleOptics(middle.x);
+    Ray kicked = kickByOpticalPath(middle, optics.n, optics.gradN, dt);
+    Ray end = driftByOpticalPath(kicked, 0.5 * dt);
+    if (!insideDomain(end.x)) {
+        return leaveDomain(particle, before, end);
+    }
+    float arcLength = length(middle.x - before.x) + length(end.x - middle.x);
+    Particle after = attenuate(particle, middle.x, arcLength);
+    after = crossInterfaces(after, middle.x, 0.5 * (before.w + end.w), optics.n, optics.gradN);
+    after.x = end.x;
+    after.w = end.w;
+#ifdef EFFECT_OPAQUE
+    if (sampleOpaque(end.x).a > 0.5) {
+        after.status = PARTICLE_BLOCKED;
+        after.meanShare = vec3(0.0);
+        after.w = normalize(end.w);
+    }
+#endif
+    return after;
+}
+
+// One step of optical path, whatever the particle is doing; t: optical path at the start of the step.
+Particle advance(Particle particle, float t) {
+    Particle after = particle;
+    float dt = settings.opticalStep;
+    after.xPrevious = particle.x;
+    if (particle.status == PARTICLE_WAITING && particle.enterPath < t + dt) {
+        float straight = max(particle.enterPath - t, 0.0);
+        after = enterDomain(after, particle.x + particle.w * straight);
+        dt -= straight;
+    }
+    if (after.status == PARTICLE_INSIDE) {
+        return advanceInside(after, dt);
+    }
+    after.x = after.x + after.w * dt;
+    return after;
+}

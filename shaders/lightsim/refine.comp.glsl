@@ -1,0 +1,138 @@
+// Refine: looks at every patch after its step. Those that are done are listed for retire; those that have grown too long are
+// halved across their longer side, and listed for split to launch the new corners; the others live on, folded or not.
+#include "lightsim/bake.glsl"
+#include "lightsim/share.glsl"
+#include "shared/domain_block.h"
+
+layout(local_size_x = BAKE_GROUP_SIZE) in;
+
+layout(std430, binding = BAKE_FRAMES_BINDING) readonly buffer FrameBlock { LaunchFrame frames[]; };
+layout(std430, binding = BAKE_RECORDS_BINDING) buffer RecordBlock { LaunchRecord records[]; };
+
+shared uint groupEvaluations;
+
+struct Shape {
+    float sideU;          // longer of the two sides along u [scene units]
+    float sideV;
+    bool nearDomain;      // its bounding box meets the domain
+    uint insideCorners;
+    bool ended;           // nothing of it will be in the domain any more
+    vec3 remaining;       // mean share of the launched power in corners inside or still to come
+    uint orientation;
+};
+
+Shape shapeOf(uint slot) {
+    vec3 x[4];
+    vec3 low = vec3(1.0e30);
+    vec3 high = vec3(-1.0e30);
+    Shape shape;
+    shape.insideCorners = 0u;
+    shape.ended = true;
+    shape.remaining = vec3(0.0);
+    vec3 travel = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        Particle corner = patches[slot].corners[i];
+        x[i] = corner.x;
+        low = min(low, x[i]);
+        high = max(high, x[i]);
+        travel += corner.w;
+        if (corner.status <= PARTICLE_INSIDE) {
+            shape.ended = false;
+            shape.remaining += 0.25 * remainingShare(corner);
+        }
+        shape.insideCorners += corner.status == PARTICLE_INSIDE ? 1u : 0u;
+    }
+    shape.sideU = max(distance(x[0], x[1]), distance(x[3], x[2]));
+    shape.sideV = max(distance(x[0], x[3]), distance(x[1], x[2]));
+    shape.nearDomain = all(lessThan(low, domainMax)) && all(greaterThan(high, domainMin));
+    float along = dot(cross(x[2] - x[0], x[3] - x[1]), travel);
+    shape.orientation = along > 0.0 ? 1u : (along < 0.0 ? 2u : 0u);
+    return shape;
+}
+
+void countFold(uint slot, uint orientation) {
+    uint before = patches[slot].orientation;
+    if (orientation != 0u) {
+        if (before != 0u && before != orientation) {
+            atomicAdd(queue.folds, 1u);
+        }
+        patches[slot].orientation = orientation;
+    }
+}
+
+LaunchRecord recordOf(uint slot, vec2 launchMin, vec2 launchMax) {
+    LaunchRecord record;
+    record.launchMin = launchMin;
+    record.launchMax = launchMax;
+    record.frameIndex = patches[slot].frameIndex;
+    record.stepCount = patches[slot].stepCount;
+    record.unusedA = 0u;
+    record.unusedB = 0u;
+    return record;
+}
+
+// The pool is full: both halves wait as launch records. False if there is no room for them either.
+bool keepAsRecords(LaunchRecord first, LaunchRecord second) {
+    uint place = atomicAdd(queue.recordCount, 2u);
+    if (place + 2u > settings.recordCapacity) {
+        atomicAdd(queue.recordCount, 0xFFFFFFFEu);
+        return false;
+    }
+    records[place] = first;
+    records[place + 1u] = second;
+    return true;
+}
+
+void halve(uint slot, bool alongU) {
+    vec2 launchMin = patches[slot].launchMin;
+    vec2 launchMax = patches[slot].launchMax;
+    vec2 middle = 0.5 * (launchMin + launchMax);
+    LaunchRecord first = recordOf(slot, launchMin, alongU ? vec2(middle.x, launchMax.y) : vec2(launchMax.x, middle.y));
+    LaunchRecord second = recordOf(slot, alongU ? vec2(middle.x, launchMin.y) : vec2(launchMin.x, middle.y), launchMax);
+    uint secondSlot;
+    if (takeFreeSlot(secondSlot)) {
+        listForSplit(slot, secondSlot, alongU);
+        atomicAdd(queue.splits, 1u);
+    } else if (keepAsRecords(first, second)) {
+        returnSlot(slot);
+        atomicAdd(queue.splits, 1u);
+    } else {
+        appendLive(slot);
+        atomicAdd(queue.recordOverflow, 1u);
+    }
+}
+
+void refine(uint slot, inout uint evaluations) {
+    patches[slot].stepCount += 1u;
+    Shape shape = shapeOf(slot);
+    countFold(slot, shape.orientation);
+    evaluations += shape.insideCorners;
+    vec3 left = patches[slot].power * shape.remaining;
+    float strongest = max(left.x, max(left.y, left.z));
+    float mostShare = max(shape.remaining.x, max(shape.remaining.y, shape.remaining.z));
+    if (shape.ended || mostShare < settings.cullShare || patches[slot].stepCount >= settings.maxSteps) {
+        listForRetire(slot);
+    } else if (shape.nearDomain && max(shape.sideU, shape.sideV) > settings.maxSide &&
+               strongest > frames[patches[slot].frameIndex].splitPower) {
+        halve(slot, shape.sideU >= shape.sideV);
+    } else {
+        appendLive(slot);
+    }
+}
+
+void main() {
+    if (gl_LocalInvocationIndex == 0u) {
+        groupEvaluations = 0u;
+    }
+    barrier();
+    uint index = gl_GlobalInvocationID.x;
+    if (index < queue.liveCount) {
+        uint evaluations = 0u;
+        refine(liveSlot(index), evaluations);
+        atomicAdd(groupEvaluations, evaluations);
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0u) {
+        countEvaluations(groupEvaluations);
+    }
+}

@@ -1,0 +1,10 @@
+// What is left of the power launched along a particle.
+
+float throughputOf(Particle particle) {
+    return 0.5 * (particle.throughputS + particle.throughputP);
+}
+
+// By band.
+vec3 remainingShare(Particle particle) {
+    return particle.transmittance * throughputOf(particle);
+}
