@@ -179,6 +179,9 @@ void composeOpaque(const ObjectLayer& layer, Fields& fields) {
 }
 
 void finishFields(Fields& fields) {
+    const auto& mask = fields.interface.values;
+    if (std::none_of(mask.begin(), mask.end(), [](unsigned char marked) { return marked != 0; }))
+        fields.interface = {};
     if (allZero(fields.sigmaA))
         fields.sigmaA = {};
     if (allZero(fields.emission))

@@ -91,14 +91,39 @@ double knownSmoothing(const VdbFile& file, const VdbGrid& grid, const Object& ob
     return std::hypot(noted * voxelRatio, object.smoothVoxels.value_or(0.0));
 }
 
+/// Voxels where a grid of the file holds matter are the object's, whatever its index there.
+void includeMatterOfGrids(const ObjectLayer& layer, DenseGrid<float>& area) {
+    for (const char* name : {"absorption", "scattering", "emission", "opaque"})
+        if (const DenseGrid<glm::vec3>* grid = layer.grid(name))
+            for (std::size_t v = 0; v < area.values.size(); ++v)
+                if (grid->values[v] != glm::vec3(0.0f))
+                    area.values[v] = 1.0f;
+}
+
 /// An index grid without a shape: it holds in all of its box; where it differs from its background there is matter.
-Extent givenIndexExtent(const PlacedGrid& placed, const DenseGrid<float>& ior, double smoothVoxels,
+Extent givenIndexExtent(const PlacedGrid& placed, const ObjectLayer& layer, double smoothVoxels,
                         const Lattice& lattice) {
+    const DenseGrid<float> ior = firstComponent(*layer.grid("ior"));
     GivenIndex given = analyseGivenIndex(ior, smoothVoxels, double(placed.grid->background.x));
+    includeMatterOfGrids(layer, given.matter);
     Extent extent{boxCoverage(placed, lattice), std::move(given.matter), std::move(given.boundary), true};
     for (std::size_t v = 0; v < extent.index.values.size(); ++v)
         extent.area.values[v] *= extent.index.values[v];
     return extent;
+}
+
+/// Resamples every grid that the file has under one of our names, and returns one of them, or nullptr.
+const VdbGrid* resampleGrids(const VdbFile& file, const VolumeShape& shape, const Lattice& lattice, ObjectLayer& layer) {
+    const VdbGrid* any = nullptr;
+    for (const std::string_view view : kVolumeGridNames) {
+        const std::string name(view);
+        const VdbGrid* grid = findGrid(file, shape, name, layer);
+        if (!grid || name == "density")
+            continue;
+        any = grid;
+        layer.grids[name] = resample(PlacedGrid(*grid, layer.object->worldFromLocal(), lattice), lattice);
+    }
+    return any;
 }
 
 } // namespace
@@ -107,15 +132,7 @@ void fillVolumeLayer(const Scene& scene, const VolumeShape& shape, const Lattice
     const Object& object = *layer.object;
     const VdbFile file = readVdb(scene.resolve(shape.file));
     const glm::dmat4 world = object.worldFromLocal();
-    const VdbGrid* any = nullptr;
-    for (const std::string_view view : kVolumeGridNames) {
-        const std::string name(view);
-        const VdbGrid* grid = findGrid(file, shape, name, layer);
-        if (!grid || name == "density")
-            continue;
-        any = grid;
-        layer.grids[name] = resample(PlacedGrid(*grid, world, lattice), lattice);
-    }
+    const VdbGrid* any = resampleGrids(file, shape, lattice, layer);
     const VdbGrid* shapeGrid = findShapeGrid(file, shape, layer);
     if (!any && !shapeGrid)
         throw volumeError(layer, fmt::format("expected grids named ior, absorption, scattering, density, ... or a level "
@@ -131,7 +148,7 @@ void fillVolumeLayer(const Scene& scene, const VolumeShape& shape, const Lattice
     else if (shapeGrid)
         layer.extent = fogExtent(PlacedGrid(*shapeGrid, world, lattice), lattice);
     else if (ior)
-        layer.extent = givenIndexExtent(PlacedGrid(*ior, world, lattice), firstComponent(layer.grids["ior"]),
+        layer.extent = givenIndexExtent(PlacedGrid(*ior, world, lattice), layer,
                                         knownSmoothing(file, *ior, object, lattice), lattice);
     else
         layer.extent.index = layer.extent.area = boxCoverage(PlacedGrid(*any, world, lattice), lattice);

@@ -11,7 +11,7 @@ struct Fields {
     Lattice lattice;
     DenseGrid<float> ior;              ///< refractive index n
     DenseGrid<glm::vec3> iorGradient;  ///< fourth-order central differences of n [1 / scene unit]; empty where n is uniform
-    DenseGrid<unsigned char> interface;  ///< 255 inside the band of a boundary that changes n, 0 elsewhere
+    DenseGrid<unsigned char> interface;  ///< 255 inside the band of a boundary that changes n, 0 elsewhere; empty: none
     DenseGrid<glm::vec3> sigmaA;       ///< absorption [1 / scene unit]
     DenseGrid<glm::vec3> sigmaS;       ///< scattering [1 / scene unit]
     DenseGrid<float> anisotropy;       ///< Henyey-Greenstein g; present with sigmaS

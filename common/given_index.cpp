@@ -33,18 +33,21 @@ struct Walk {
     double index;     ///< n where the piece ends
     double steepest;  ///< largest change over one voxel on the way
     bool ended;       ///< false: still rising after `reach` voxels
+    glm::dvec3 end;   ///< where
 };
 
 /// From `start` along `direction`, in which n changes with `sign`.
 Walk walk(const DenseGrid<float>& ior, const glm::dvec3& start, const glm::dvec3& direction, double sign,
           double steepest, int reach) {
-    Walk result{indexAt(ior, start), steepest, false};
+    Walk result{indexAt(ior, start), steepest, false, start};
     for (int s = 1; s <= reach && !result.ended; ++s) {
-        const double next = indexAt(ior, start + double(s) * direction);
+        const glm::dvec3 position = start + double(s) * direction;
+        const double next = indexAt(ior, position);
         const double change = sign * (next - result.index);
         result.ended = change < kEndOfPiece * result.steepest;
         if (!result.ended) {
             result.index = next;
+            result.end = position;
             result.steepest = std::max(result.steepest, change);
         }
     }
@@ -57,14 +60,27 @@ struct Piece {
     double widthVoxels = std::numeric_limits<double>::infinity();
 };
 
-Piece pieceThrough(const DenseGrid<float>& ior, const glm::ivec3& voxel, const glm::vec3& gradient, int reach) {
-    const double slope = glm::length(glm::dvec3(gradient));
-    const glm::dvec3 direction = glm::dvec3(gradient) / slope;
+/// Gradient across a direction, at the voxel nearest to a position.
+double slopeAcross(const DenseGrid<glm::vec3>& gradient, const glm::dvec3& position, const glm::dvec3& direction) {
+    const glm::ivec3 nearest = glm::clamp(glm::ivec3(glm::round(position)), glm::ivec3(0), gradient.size - 1);
+    const glm::dvec3 g(gradient.at(nearest));
+    return glm::length(g - glm::dot(g, direction) * direction);
+}
+
+Piece pieceThrough(const DenseGrid<float>& ior, const DenseGrid<glm::vec3>& gradient, const glm::ivec3& voxel,
+                   int reach) {
+    const glm::dvec3 own(gradient.at(voxel));
+    const double slope = glm::length(own);
+    const glm::dvec3 direction = own / slope;
     const Walk up = walk(ior, glm::dvec3(voxel), direction, 1.0, slope, reach);
     const Walk down = walk(ior, glm::dvec3(voxel), -direction, -1.0, slope, reach);
     Piece piece{down.index, up.index};
-    if (up.ended && down.ended)
-        piece.widthVoxels = (up.index - down.index) / std::max(up.steepest, down.steepest);
+    const double steepest = std::max(up.steepest, down.steepest);
+    // Where n still changes across the walk at its end, the walk cut obliquely through a kink of a gradient medium.
+    const double across =
+        std::max(slopeAcross(gradient, up.end, direction), slopeAcross(gradient, down.end, direction));
+    if (up.ended && down.ended && across < 0.5 * steepest)
+        piece.widthVoxels = (up.index - down.index) / steepest;
     return piece;
 }
 
@@ -124,7 +140,7 @@ GivenIndex analyseGivenIndex(const DenseGrid<float>& ior, double smoothVoxels, d
                 result.matter.at(i, j, k) = std::abs(n - background) > matterContrast ? 1.0f : 0.0f;
                 if (!(glm::length(gradient.at(i, j, k)) > kLeastStep))
                     continue;
-                const Piece piece = pieceThrough(ior, {i, j, k}, gradient.at(i, j, k), reach);
+                const Piece piece = pieceThrough(ior, gradient, {i, j, k}, reach);
                 if (piece.widthVoxels > widest || piece.high - piece.low < kLeastStep)
                     continue;
                 result.boundary.at(i, j, k) = 255;
