@@ -7,7 +7,7 @@
 namespace eikonal {
 namespace {
 
-constexpr int kLeafTriangles = 4;
+constexpr int kLeafTriangles = 2;
 /// Halving 2^31 triangles takes 31 levels; each level leaves at most one box waiting.
 constexpr std::size_t kStack = 64;
 

@@ -117,43 +117,62 @@ std::size_t countOpen(const EdgeMap& edges) {
     return std::size_t(std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.second.balance != 0; }));
 }
 
-/// Gives triangles across ordinary edges the same orientation, starting from the first of each piece. Returns how many
-/// were turned.
-std::size_t orientTriangles(Mesh& mesh) {
-    std::unordered_map<std::uint64_t, std::vector<int>> neighbours;
-    for (int i = 0; i < int(mesh.triangles.size()); ++i)
-        for (int e = 0; e < 3; ++e)
-            neighbours[edgeKey(mesh.triangles[std::size_t(i)][e], mesh.triangles[std::size_t(i)][(e + 1) % 3])].push_back(i);
-    const auto runsAlong = [&](int triangle, int from, int to) {
-        const glm::ivec3& t = mesh.triangles[std::size_t(triangle)];
-        return (t.x == from && t.y == to) || (t.y == from && t.z == to) || (t.z == from && t.x == to);
-    };
-    std::vector<char> done(mesh.triangles.size(), 0);
-    std::size_t turned = 0;
-    std::vector<int> open;
-    for (int seed = 0; seed < int(mesh.triangles.size()); ++seed) {
-        if (!done[std::size_t(seed)])
+bool runsAlong(const glm::ivec3& t, int from, int to) {
+    return (t.x == from && t.y == to) || (t.y == from && t.z == to) || (t.z == from && t.x == to);
+}
+
+/// Spreads the orientation of one triangle over its piece, across edges of two triangles.
+class Orientation {
+public:
+    explicit Orientation(Mesh& mesh) : mesh_(mesh), done_(mesh.triangles.size(), 0) {
+        for (int i = 0; i < int(mesh.triangles.size()); ++i)
+            for (int e = 0; e < 3; ++e)
+                sharing_[edgeKey(mesh.triangles[std::size_t(i)][e], mesh.triangles[std::size_t(i)][(e + 1) % 3])].push_back(i);
+    }
+
+    void spreadFrom(int seed) {
+        std::vector<int> open;
+        if (!done_[std::size_t(seed)])
             open.push_back(seed);
-        done[std::size_t(seed)] = 1;
+        done_[std::size_t(seed)] = 1;
         while (!open.empty()) {
-            const glm::ivec3 t = mesh.triangles[std::size_t(open.back())];
+            const glm::ivec3 t = mesh_.triangles[std::size_t(open.back())];
             open.pop_back();
-            for (int e = 0; e < 3; ++e) {
-                const std::vector<int>& sharing = neighbours[edgeKey(t[e], t[(e + 1) % 3])];
-                for (const int other : sharing) {
-                    if (sharing.size() != 2 || done[std::size_t(other)])
-                        continue;
-                    if (runsAlong(other, t[e], t[(e + 1) % 3])) {
-                        std::swap(mesh.triangles[std::size_t(other)].y, mesh.triangles[std::size_t(other)].z);
-                        ++turned;
-                    }
-                    done[std::size_t(other)] = 1;
-                    open.push_back(other);
-                }
-            }
+            for (int e = 0; e < 3; ++e)
+                spreadAcross(t[e], t[(e + 1) % 3], open);
         }
     }
-    return turned;
+
+    std::size_t turned() const { return turned_; }
+
+private:
+    void spreadAcross(int from, int to, std::vector<int>& open) {
+        const std::vector<int>& sharing = sharing_[edgeKey(from, to)];
+        for (const int other : sharing) {
+            if (sharing.size() != 2 || done_[std::size_t(other)])
+                continue;
+            glm::ivec3& t = mesh_.triangles[std::size_t(other)];
+            if (runsAlong(t, from, to)) {
+                std::swap(t.y, t.z);
+                ++turned_;
+            }
+            done_[std::size_t(other)] = 1;
+            open.push_back(other);
+        }
+    }
+
+    Mesh& mesh_;
+    std::vector<char> done_;
+    std::unordered_map<std::uint64_t, std::vector<int>> sharing_;
+    std::size_t turned_ = 0;
+};
+
+/// Gives neighbours the same orientation, starting from the first triangle of each piece. Returns how many were turned.
+std::size_t orientTriangles(Mesh& mesh) {
+    Orientation orientation(mesh);
+    for (int seed = 0; seed < int(mesh.triangles.size()); ++seed)
+        orientation.spreadFrom(seed);
+    return orientation.turned();
 }
 
 MeshReport inspect(const Mesh& mesh, const EdgeMap& edges, std::size_t loops) {

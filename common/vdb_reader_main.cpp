@@ -39,7 +39,7 @@ rlim_t memoryLimitBytes() {
 void limitResources(const std::filesystem::path& file) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::error_code ignored;
-    const rlim_t seconds = 20 + std::filesystem::file_size(file, ignored) / 10'000'000;
+    const rlim_t seconds = 10 + std::filesystem::file_size(file, ignored) / 10'000'000;
     const rlimit time{seconds, seconds + 1};
     setrlimit(RLIMIT_CPU, &time);
     const rlimit none{0, 0};

@@ -11,8 +11,8 @@
 namespace eikonal {
 namespace {
 
-/// Beyond this many widths b the coverage is below single precision: exactly 0 or 1 there.
-constexpr double kBandWidths = 5.5;
+/// Beyond this many widths b the coverage is within 3e-7 of 0 or 1, near single precision, and set so.
+constexpr double kBandWidths = 5.0;
 constexpr int kMaxResolution = 2048;
 
 Error outOfRange(const std::string& what) { return Error(ExitCode::kUsage, what); }
@@ -98,8 +98,12 @@ VoxelizedMesh voxelize(const Mesh& closedMesh, const VoxelizeOptions& options) {
     const DenseGrid<float> distance = signedDistance(closedMesh, result.lattice, glm::dmat4(1.0), band);
 
     result.ior = DenseGrid<float>(result.lattice.size, 1.0f);
-    for (std::size_t i = 0; i < distance.values.size(); ++i)
-        result.ior.values[i] = float(1.0 + coverageFromDistance(double(distance.values[i]), b, voxel) * (options.ior - 1.0));
+    for (std::size_t i = 0; i < distance.values.size(); ++i) {
+        const double d = double(distance.values[i]);
+        const bool beyond = std::abs(d) >= 0.9999 * band * voxel;
+        const double coverage = beyond ? (d < 0.0 ? 1.0 : 0.0) : coverageFromDistance(d, b, voxel);
+        result.ior.values[i] = float(1.0 + coverage * (options.ior - 1.0));
+    }
     if (options.absorption) {
         result.absorption = DenseGrid<glm::vec3>(result.lattice.size, glm::vec3(0.0f));
         for (std::size_t i = 0; i < distance.values.size(); ++i)
