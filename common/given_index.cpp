@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLeastStep = 1e-4;  // contrast per voxel below which the reflectance is under 1e-9
 constexpr double kEndOfPiece = 0.02;
+constexpr double kNarrowest = 0.5;  // voxels: even a step is wider to differences; narrower is their overshoot at kinks
 
 double indexAt(const DenseGrid<float>& ior, const glm::dvec3& position) {
     const glm::dvec3 p = glm::clamp(position, glm::dvec3(0.0), glm::dvec3(ior.size - 1));
@@ -33,13 +34,14 @@ struct Walk {
     double index;     ///< n where the piece ends
     double steepest;  ///< largest change over one voxel on the way
     bool ended;       ///< false: still rising after `reach` voxels
-    glm::dvec3 end;   ///< where
+    glm::dvec3 end;             ///< where it ends
+    glm::dvec3 steepestPlace;   ///< where n changes fastest
 };
 
 /// From `start` along `direction`, in which n changes with `sign`.
 Walk walk(const DenseGrid<float>& ior, const glm::dvec3& start, const glm::dvec3& direction, double sign,
           double steepest, int reach) {
-    Walk result{indexAt(ior, start), steepest, false, start};
+    Walk result{indexAt(ior, start), steepest, false, start, start};
     for (int s = 1; s <= reach && !result.ended; ++s) {
         const glm::dvec3 position = start + double(s) * direction;
         const double next = indexAt(ior, position);
@@ -48,7 +50,10 @@ Walk walk(const DenseGrid<float>& ior, const glm::dvec3& start, const glm::dvec3
         if (!result.ended) {
             result.index = next;
             result.end = position;
-            result.steepest = std::max(result.steepest, change);
+            if (change > result.steepest) {
+                result.steepest = change;
+                result.steepestPlace = position - 0.5 * direction;
+            }
         }
     }
     return result;
@@ -76,9 +81,11 @@ Piece pieceThrough(const DenseGrid<float>& ior, const DenseGrid<glm::vec3>& grad
     const Walk down = walk(ior, glm::dvec3(voxel), -direction, -1.0, slope, reach);
     Piece piece{down.index, up.index};
     const double steepest = std::max(up.steepest, down.steepest);
-    // Where n still changes across the walk at its end, the walk cut obliquely through a kink of a gradient medium.
-    const double across =
-        std::max(slopeAcross(gradient, up.end, direction), slopeAcross(gradient, down.end, direction));
+    // Across a boundary n changes along the walk only; otherwise the walk cuts obliquely through a gradient medium, as
+    // gradients near its kinks let it.
+    double across = 0.0;
+    for (const glm::dvec3& place : {up.end, up.steepestPlace, down.end, down.steepestPlace})
+        across = std::max(across, slopeAcross(gradient, place, direction));
     if (up.ended && down.ended && across < 0.5 * steepest)
         piece.widthVoxels = (up.index - down.index) / steepest;
     return piece;
@@ -141,7 +148,8 @@ GivenIndex analyseGivenIndex(const DenseGrid<float>& ior, double smoothVoxels, d
                 if (!(glm::length(gradient.at(i, j, k)) > kLeastStep))
                     continue;
                 const Piece piece = pieceThrough(ior, gradient, {i, j, k}, reach);
-                if (piece.widthVoxels > widest || piece.high - piece.low < kLeastStep)
+                const bool asBoundary = piece.widthVoxels > kNarrowest && piece.widthVoxels < widest;
+                if (!asBoundary || piece.high - piece.low < kLeastStep)
                     continue;
                 result.boundary.at(i, j, k) = 255;
                 result.matter.at(i, j, k) = matterInBoundary(piece, n, background);
