@@ -7,14 +7,29 @@
 
 #include <tbb/parallel_for.h>
 
-#include "common/fields.h"
-
 namespace eikonal {
 namespace {
 
 constexpr double kLeastStep = 1e-4;  // contrast per voxel below which the reflectance is under 1e-9
 constexpr double kEndOfPiece = 0.02;
-constexpr double kNarrowest = 0.5;  // voxels: even a step is wider to differences; narrower is their overshoot at kinks
+constexpr double kNarrowest = 0.5;  // voxels: even a step is wider to differences; narrower is noise beside kinks
+
+/// Second-order differences [1 / voxel]: those of fourth order have lobes of the wrong sign beside a kink.
+DenseGrid<glm::vec3> plainGradient(const DenseGrid<float>& ior) {
+    DenseGrid<glm::vec3> gradient(ior.size, glm::vec3(0.0f));
+    tbb::parallel_for(0, ior.size.z, [&](int k) {
+        for (int j = 0; j < ior.size.y; ++j)
+            for (int i = 0; i < ior.size.x; ++i)
+                for (int axis = 0; axis < 3; ++axis) {
+                    glm::ivec3 below(i, j, k), above(i, j, k);
+                    below[axis] = std::max(below[axis] - 1, 0);
+                    above[axis] = std::min(above[axis] + 1, ior.size[axis] - 1);
+                    const int distance = std::max(above[axis] - below[axis], 1);
+                    gradient.at(i, j, k)[axis] = (ior.at(above) - ior.at(below)) / float(distance);
+                }
+    });
+    return gradient;
+}
 
 double indexAt(const DenseGrid<float>& ior, const glm::dvec3& position) {
     const glm::dvec3 p = glm::clamp(position, glm::dvec3(0.0), glm::dvec3(ior.size - 1));
@@ -137,7 +152,7 @@ GivenIndex analyseGivenIndex(const DenseGrid<float>& ior, double smoothVoxels, d
     constexpr double kLeastWidth = 1.5;
     const double widest = 1.5 * std::sqrt(2.0 * std::numbers::pi) * std::max(smoothVoxels, kLeastWidth);
     const int reach = int(std::ceil(1.5 * widest));
-    const DenseGrid<glm::vec3> gradient = gradientOf(ior, 1.0);
+    const DenseGrid<glm::vec3> gradient = plainGradient(ior);
     const double matterContrast = 0.01 * largestContrast(ior, background);
     GivenIndex result{DenseGrid<unsigned char>(ior.size, 0), DenseGrid<float>(ior.size, 0.0f)};
     tbb::parallel_for(0, ior.size.z, [&](int k) {
