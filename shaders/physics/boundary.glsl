@@ -37,7 +37,11 @@ Polarised crossingTransmittance(Crossing crossing, real3 w, real n) {
     Polarised transmittance;
     transmittance.s = 1.0;
     transmittance.p = 1.0;
-    if (dot(w, crossing.normal) * crossing.sideAtStart > 0.0) {
+    // On a curved interface a ray can also graze the thin side of the band and be bent round it: where it is nearest,
+    // |w| lies all along the interface and is more than either index, which no ray that crosses has.
+    bool crosses = dot(w, crossing.normal) * crossing.sideAtStart > 0.0 &&
+                   crossing.wTangential < min(crossing.nStart, n);
+    if (crosses) {
         Polarised reflectance = fresnelReflectance(crossing.nStart, n, crossing.wTangential);
         transmittance.s = 1.0 - reflectance.s;
         transmittance.p = 1.0 - reflectance.p;

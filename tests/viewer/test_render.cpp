@@ -1,5 +1,8 @@
 // Images against closed forms (docs/physics.md, sections 4 to 6).
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include "common/physics.h"
 #include "tests/viewer/synthetic_fields.h"
@@ -58,6 +61,67 @@ TEST(Render, FresnelDimsTheMiddleOfASphereByTwoCrossings) {
     const Scene scene = test::plainScene(glm::dvec3(1.0), 30.0, 0.2, 1);
     const RenderResult image = rendered(scene, fields);
     EXPECT_NEAR(image.channel("throughput.G").values[0], 0.96 * 0.96, 2e-3);
+}
+
+TEST(Render, RaysThatGrazeABoundaryLoseNothing) {
+    const double radius = 0.6, width = 1.5 / 32.0;
+    const Fields fields = test::sphereFields(test::cube(64, 1.0), radius, 1.5, width);
+    Scene scene = test::plainScene(glm::dvec3(1.0), 30.0, 1e-3, 1);
+    for (const double impact : {radius + 2.2 * width, radius + 2.6 * width, radius + 3.0 * width}) {
+        for (const double angle : {0.1, 0.8, 2.0, 4.0}) {
+            const glm::dvec3 offset(impact * std::cos(angle), impact * std::sin(angle), 0.0);
+            scene.camera.position = offset + glm::dvec3(0.0, 0.0, 30.0);
+            scene.camera.lookAt = offset;
+            EXPECT_GT(rendered(scene, fields).channel("throughput.G").values[0], 0.97f) << impact << ", " << angle;
+        }
+    }
+}
+
+TEST(Render, AWallThinnerThanItsBandsReflectsTwice) {
+    const Lattice lattice = test::cube(64, 1.0);
+    const double width = 1.5 / 32.0, half = 0.1;
+    const auto step = [&](double d) { return 0.5 * std::erfc(d / (std::sqrt(2.0) * width)); };
+    Fields fields =
+        test::indexFields(lattice, [&](const glm::dvec3& x) { return 1.0 + 0.5 * step(std::abs(x.z) - half); });
+    fields.interface = DenseGrid<unsigned char>(lattice.size, 255);
+    const RenderResult image = rendered(test::plainScene(glm::dvec3(1.0), 30.0, 0.2, 1), fields);
+    EXPECT_NEAR(image.channel("throughput.G").values[0], 0.96 * 0.96, 8e-3);
+    EXPECT_NEAR(image.radiance(0, 0).g, 1.0, 1e-3);
+}
+
+/// A latitude-longitude map of 16 x 8 texels, dark but for the column of texels around u = 0.25 above the horizon.
+std::filesystem::path writeMap() {
+    const auto path = std::filesystem::temp_directory_path() / ("eikonal_map_" + std::to_string(std::rand()) + ".hdr");
+    std::ofstream file(path, std::ios::binary);
+    file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n";
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const bool bright = (x == 3 || x == 4) && y < 4;
+            const std::string texel = bright ? std::string("\x80\x40\x20\x81", 4) : std::string(4, '\0');
+            file << texel;
+        }
+    }
+    return path;
+}
+
+TEST(Render, EnvironmentMapIsSeenWhereOpenExrPutsIt) {
+    Scene scene = test::plainScene(glm::dvec3(0.0), 4.0, 1.0, 1);
+    scene.environment.image = writeMap();
+    scene.environment.intensity = 2.0;
+    const Fields fields = test::uniformFields(test::cube(1, 1e-3));
+    const auto towards = [&](const glm::dvec3& direction, double rotate) {
+        scene.camera.lookAt = scene.camera.position + direction;
+        scene.environment.rotate = rotate;
+        return rendered(scene, fields).radiance(0, 0);
+    };
+    EXPECT_NEAR(towards({1.0, 0.5, 0.0}, 0.0).r, 2.0, 1e-3);
+    EXPECT_NEAR(towards({1.0, 0.5, 0.0}, 0.0).b, 0.5, 1e-3);
+    EXPECT_NEAR(towards({1.0, -0.5, 0.0}, 0.0).r, 0.0, 1e-3);
+    EXPECT_NEAR(towards({0.0, 0.5, 1.0}, 0.0).r, 0.0, 1e-3);
+    EXPECT_NEAR(towards({0.0, 0.5, -1.0}, 90.0).r, 2.0, 1e-3) << "a turn about +Y takes +X to -Z";
+    scene.render.effects = std::vector<std::string>{"refraction"};
+    EXPECT_EQ(towards({1.0, 0.5, 0.0}, 0.0).r, 0.0f) << "no environment: nothing to see";
+    std::filesystem::remove(*scene.environment.image);
 }
 
 TEST(Render, ScatteringSlabAgreesWithTheClosedForm) {
