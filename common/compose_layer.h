@@ -40,7 +40,7 @@ ObjectLayer layerOf(const Scene& scene, const Object& object, std::size_t index,
 /// Distances [voxels], negative inside, to coverage: erfc(d / (sqrt2 b)) / 2 for the index, by area for the rest.
 Extent extentFromDistance(const DenseGrid<float>& distanceVoxels, double smoothVoxels);
 
-/// Beyond this many voxels from the surface a distance need not be known.
+/// Beyond this many voxels from the surface only the side need be known: coverage is 0 or 1 to 3e-7.
 double distanceBandVoxels(double smoothVoxels);
 
 /// Fills the layer of an object that is a volume.

@@ -43,11 +43,19 @@ RevolvedProfile::RevolvedProfile(std::vector<dvec2> points) : points_(std::move(
 
 double RevolvedProfile::distance(const glm::dvec3& point) const {
     const dvec2 p(std::hypot(point.x, point.z), point.y);
-    double nearest2 = std::numeric_limits<double>::infinity();
+    const auto squaredDistanceToBounds = [&](const Run& run) {
+        const dvec2 beyond = glm::max(glm::max(run.low - p, p - run.high), dvec2(0.0));
+        return glm::dot(beyond, beyond);
+    };
+    // A good first guess, one point of the run whose bounds are nearest, spares most of the others.
+    const Run& guess = *std::min_element(runs_.begin(), runs_.end(), [&](const Run& a, const Run& b) {
+        return squaredDistanceToBounds(a) < squaredDistanceToBounds(b);
+    });
+    const dvec2 toGuess = points_[guess.first] - p;
+    double nearest2 = glm::dot(toGuess, toGuess);
     bool inside = false;
     for (const Run& run : runs_) {
-        const dvec2 beyond = glm::max(glm::max(run.low - p, p - run.high), dvec2(0.0));
-        const bool near = glm::dot(beyond, beyond) < nearest2;
+        const bool near = squaredDistanceToBounds(run) < nearest2;
         const bool level = p.y >= run.low.y && p.y <= run.high.y && p.x <= run.high.x;
         for (std::size_t i = run.first; i < run.last && (near || level); ++i) {
             if (near)
