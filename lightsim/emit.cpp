@@ -78,20 +78,17 @@ public:
         frame.centre = u * middle.x + v * middle.y + direction * nearest;
         frame.strength = light.irradiance;
         placeAxes(frame, u * half.x, v * half.y);
-        finish(frame, light.irradiance * projectedArea(lattice_, direction));
+        grids_.emitted += light.irradiance * projectedArea(lattice_, direction);
+        push({frame});
     }
 
     void add(const PointLight& light) {
         const dvec3 nearest = glm::clamp(light.position, lattice_.min, lattice_.max());
         const double distance = glm::distance(nearest, light.position);
         const dvec3 axis = lattice_.min + 0.5 * lattice_.extent() - light.position;
-        if (distance > 0.0 && seenInWindow(light.position, axis)) {
-            addWindow(light, axis, distance);
-        } else {
-            addCube(light, distance);
-        }
         grids_.emitted += light.power;
-        grids_.strongestPower += strongestOf(light.power);
+        const bool distant = distance > 0.0 && seenInWindow(light.position, axis);
+        push(distant ? std::vector{windowFrame(light, axis, distance)} : cubeFrames(light, distance));
     }
 
     LaunchGrids take() { return std::move(grids_); }
@@ -106,7 +103,7 @@ private:
     }
 
     /// One grid on the plane through the domain's centre, as wide as the domain's shadow on it.
-    void addWindow(const PointLight& light, const dvec3& axis, double distance) {
+    LaunchFrame windowFrame(const PointLight& light, const dvec3& axis, double distance) const {
         const double axisLength = glm::length(axis);
         const dvec3 direction = axis / axisLength;
         const auto [u, v] = axesAcross(direction);
@@ -119,11 +116,12 @@ private:
         }
         LaunchFrame frame = pointFrame(light, axis, distance);
         placeAxes(frame, u * halfU, v * halfV);
-        push(frame, light.power);
+        return frame;
     }
 
     /// Six faces of a cube about the light.
-    void addCube(const PointLight& light, double distance) {
+    std::vector<LaunchFrame> cubeFrames(const PointLight& light, double distance) const {
+        std::vector<LaunchFrame> frames;
         const double half = lattice_.voxel;
         for (int face = 0; face < 6; ++face) {
             dvec3 axis(0.0), u(0.0), v(0.0);
@@ -134,8 +132,9 @@ private:
             frame.a = u;
             frame.b = v;
             frame.cellsU = frame.cellsV = distance > 0.0 ? kCloseCells : kNearCells;
-            push(frame, light.power);
+            frames.push_back(frame);
         }
+        return frames;
     }
 
     LaunchFrame pointFrame(const PointLight& light, const dvec3& axis, double distance) const {
@@ -156,12 +155,6 @@ private:
         frame.cellsV = cellsAlong(2.0 * glm::length(b), maxSide_);
     }
 
-    void finish(LaunchFrame& frame, const dvec3& power) {
-        grids_.emitted += power;
-        grids_.strongestPower += strongestOf(power);
-        push(frame, power);
-    }
-
     /// A point light's frame is densest where its axis meets it.
     static double cellPowerBound(const LaunchFrame& frame) {
         const double area = 4.0 * double(glm::length(glm::cross(frame.a, frame.b))) / double(frame.cellsU * frame.cellsV);
@@ -169,12 +162,20 @@ private:
         return strongestOf(frame.strength) * area / distance2;
     }
 
-    void push(LaunchFrame& frame, const dvec3& lightPower) {
-        grids_.strongestCellPower = std::max(grids_.strongestCellPower, cellPowerBound(frame));
-        frame.splitPower = float(splitShare_ * strongestOf(lightPower));
-        frame.firstCell = grids_.cellCount;
-        grids_.cellCount += frame.cellsU * frame.cellsV;
-        grids_.frames.push_back(frame);
+    /// The frames of one light.
+    void push(const std::vector<LaunchFrame>& frames) {
+        double launched = 0.0;
+        for (const LaunchFrame& frame : frames) {
+            grids_.strongestCellPower = std::max(grids_.strongestCellPower, cellPowerBound(frame));
+            launched += cellPowerBound(frame) * frame.cellsU * frame.cellsV;
+        }
+        for (LaunchFrame frame : frames) {
+            frame.splitPower = float(splitShare_ * launched);
+            frame.firstCell = grids_.cellCount;
+            grids_.cellCount += frame.cellsU * frame.cellsV;
+            grids_.frames.push_back(frame);
+        }
+        grids_.strongestPower += launched;
     }
 
     const Lattice& lattice_;

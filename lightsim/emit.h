@@ -16,12 +16,13 @@ struct LaunchGrids {
     std::vector<LaunchFrame> frames;
     std::uint32_t cellCount = 0;
     glm::dvec3 emitted{0.0};  ///< power of all lights (a beam's over the projected area of the domain)
-    double strongestPower = 0.0;      ///< Σ over lights of the strongest band
+    double strongestPower = 0.0;      ///< bound of the power launched, strongest band
     double strongestCellPower = 0.0;  ///< bound of the power of one cell, strongest band
 };
 
 /// Launch grids whose cells are at most `maxSide` [scene units] where a beam or a distant light enters the domain, and
-/// small angles about a near one. Patches with less than `splitShare` of their light's power are not split.
+/// small angles about a near one. Patches with less than `splitShare` of what
+/// their light launches are not split.
 LaunchGrids launchGrids(const std::vector<Light>& lights, const Lattice& lattice, double maxSide, double splitShare);
 
 } // namespace eikonal::bake

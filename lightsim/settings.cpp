@@ -8,8 +8,9 @@ namespace eikonal::bake {
 namespace {
 
 constexpr double kDefaultTolerance = 0.02;
-// Light that is still in the domain after this many optical diagonals is caught in total reflection: culled.
-constexpr double kMaxDiagonals = 4.0;
+// Light that is still in the domain after this many optical diagonals at the default tolerance is caught in total
+// reflection: culled. In a smoothed sphere about a thousandth of a beam is, whatever the limit.
+constexpr double kMaxDiagonals = 2.5;
 // Kernels trace a whole path in one dispatch; software renderers end loops at 65535 iterations.
 constexpr double kMaxSteps = 49999.0;
 constexpr std::uint32_t kRecordCapacity = 1u << 20;
@@ -53,17 +54,18 @@ Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
     // The light's mean power per voxel of a cross-section, times the share of it that may be misplaced by not splitting.
     criteria.splitShare = 0.5 * accuracy.tolerance / (longest * longest);
     criteria.cullShare = 1e-3 * accuracy.tolerance;
+    criteria.maxOpticalPath = kMaxDiagonals / refinement * glm::length(fields.lattice.extent()) *
+                              std::max(1.0, iorRangeOf(fields).high);
     return criteria;
 }
 
 BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, const Fields& fields,
                         const BakeOptions& options) {
-    const double diagonal = glm::length(fields.lattice.extent()) * std::max(1.0, iorRangeOf(fields).high);
     BakeSettings settings{};
     settings.opticalStep = float(criteria.opticalStep);
     settings.maxSide = float(criteria.maxSide);
     settings.cullShare = float(criteria.cullShare);
-    settings.maxSteps = std::uint32_t(std::min(kMaxSteps, std::ceil(kMaxDiagonals * diagonal / criteria.opticalStep)));
+    settings.maxSteps = std::uint32_t(std::min(kMaxSteps, std::ceil(criteria.maxOpticalPath / criteria.opticalStep)));
     // The largest splat, a whole cell of a launch grid over four voxels of path, fits one signed word; all the power along
     // the longest path into a single voxel stays below 2^60 units, and flux sums three bands.
     const double power = std::max(grids.strongestPower, 1e-300);

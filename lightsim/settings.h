@@ -13,6 +13,7 @@ struct Criteria {
     double maxSide;      ///< of a patch [scene units]
     double splitShare;   ///< of a light's power: patches with less left are not split
     double cullShare;    ///< of a patch's launched power: patches with less left end
+    double maxOpticalPath;  ///< patches that have come further end [scene units]
 };
 
 Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields);

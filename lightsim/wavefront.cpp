@@ -94,6 +94,18 @@ void Wavefront::dispatchOverPatches(const gpu::Kernel& kernel) const {
 
 QueueState Wavefront::state() const { return queue_.download<QueueState>(1).front(); }
 
+std::vector<WavefrontPatch> Wavefront::livePatches() const {
+    const QueueState current = state();
+    std::vector<std::uint32_t> slots(current.nextLiveCount);
+    queue_.downloadBytes(sizeof(QueueState) + (1 - current.parity) * capacity_ * sizeof(std::uint32_t), slots.data(),
+                         slots.size() * sizeof(std::uint32_t));
+    std::vector<WavefrontPatch> live(slots.size());
+    for (std::size_t i = 0; i < live.size(); ++i) {
+        patches_.downloadBytes(slots[i] * sizeof(WavefrontPatch), &live[i], sizeof(WavefrontPatch));
+    }
+    return live;
+}
+
 std::vector<double> Wavefront::ledger() const {
     const auto words = ledger_.download<std::uint32_t>(LEDGER_ROWS * 3 * 2);
     std::vector<double> rows(LEDGER_ROWS * 3);

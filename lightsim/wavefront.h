@@ -28,6 +28,8 @@ public:
     void dispatchOverPatches(const gpu::Kernel& kernel) const;
 
     QueueState state() const;
+    /// The patches that refine has left alive, in no particular order.
+    std::vector<WavefrontPatch> livePatches() const;
     /// Row by row, three bands each, in units of BakeSettings::ledgerScale.
     std::vector<double> ledger() const;
     std::size_t bytes() const;

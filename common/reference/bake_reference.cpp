@@ -1,0 +1,114 @@
+#include "common/reference/bake_reference.h"
+
+#include <array>
+#include <thread>
+
+#include "common/physics.h"
+
+namespace eikonal::reference {
+
+namespace {
+
+/// A ray on its way, with what it has left.
+struct LightRay {
+    f64::Ray ray;
+    glm::dvec3 power;
+    f64::Polarised throughput{1.0, 1.0};
+    f64::Crossing crossing;
+
+    double fresnel() const { return 0.5 * (throughput.s + throughput.p); }
+};
+
+/// One step of arc length: drift, kick, drift; Beer-Lambert; a Fresnel term where an interface ends. Returns the mean power
+/// over the step.
+template <class Field>
+glm::dvec3 advanceLight(const Field& field, LightRay& light, double ds) {
+    const glm::dvec3 before = light.ray.w;
+    light.ray = f64::driftByLength(light.ray, 0.5 * ds);
+    const glm::dvec3 middle = light.ray.x;
+    const Optics optics = field.optics(middle);
+    light.ray = f64::driftByLength(f64::kickByLength(light.ray, optics.gradN, ds), 0.5 * ds);
+    const glm::dvec3 tau = (field.sigmaA(middle) + field.sigmaS(middle)) * ds;
+    const glm::dvec3 mean = light.power * light.fresnel() * f64::meanTransmittance3(tau);
+    light.power *= glm::exp(-tau);
+    const bool inBand = field.inBand(middle);
+    const glm::dvec3 w = 0.5 * (before + light.ray.w);
+    if (f64::crossingEnds(light.crossing, inBand, optics.gradN)) {
+        const f64::Polarised t = f64::crossingTransmittance(
+            light.crossing, w, f64::crossingEndIndex(light.crossing, inBand, optics.n));
+        light.throughput.s *= t.s;
+        light.throughput.p *= t.p;
+    }
+    light.crossing = f64::crossingAfter(light.crossing, inBand, w, optics.n, optics.gradN);
+    return mean;
+}
+
+/// Follows one ray through the lattice from a point on its face or inside it.
+template <class Field>
+void followLight(const Field& field, const Lattice& lattice, LightRay light, const BeamBakeOptions& options,
+                 DenseGrid<glm::dvec3>& powerLength) {
+    const double ds = options.stepVoxels * lattice.voxel;
+    const int maxSteps = int(options.maxPathDiagonals * glm::length(lattice.extent()) / ds);
+    for (int i = 0; i < maxSteps; ++i) {
+        const glm::dvec3 from = light.ray.x;
+        const glm::dvec3 mean = advanceLight(field, light, ds);
+        const glm::ivec3 voxel(glm::floor((0.5 * (from + light.ray.x) - lattice.min) / lattice.voxel));
+        if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, lattice.size))) {
+            return;
+        }
+        powerLength.at(voxel) += mean * ds;
+    }
+}
+
+/// Adds to each voxel what its mirror images about the beam's axis and diagonals hold.
+DenseGrid<glm::dvec3> unfoldedEightfold(const DenseGrid<glm::dvec3>& wedge) {
+    DenseGrid<glm::dvec3> whole(wedge.size, glm::dvec3(0.0));
+    const int last = wedge.size.y - 1;
+    for (int k = 0; k <= last; ++k) {
+        for (int j = 0; j <= last; ++j) {
+            for (int i = 0; i < wedge.size.x; ++i) {
+                for (const auto& [y, z] : {std::array{j, k}, std::array{k, j}}) {
+                    whole.at(i, j, k) += wedge.at(i, y, z) + wedge.at(i, last - y, z) + wedge.at(i, y, last - z) +
+                                         wedge.at(i, last - y, last - z);
+                }
+            }
+        }
+    }
+    return whole;
+}
+
+} // namespace
+
+template <class Field>
+DenseGrid<glm::dvec3> bakeSymmetricBeam(const Field& field, const Lattice& lattice, const BeamBakeOptions& options) {
+    const int across = lattice.size.y * options.raysPerVoxelEdge;
+    const double spacing = lattice.voxel / options.raysPerVoxelEdge;
+    std::array<DenseGrid<glm::dvec3>, 2> parts{DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0)),
+                                               DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0))};
+    const auto work = [&](std::size_t part) {
+        for (int j = across / 2 + int(part); j < across; j += 2) {
+            for (int k = across / 2; k <= j; ++k) {
+                const glm::dvec3 start(lattice.min + spacing * glm::dvec3(0.0, j + 0.5, k + 0.5));
+                const double share = j == k ? 0.5 : 1.0;  // the diagonal is its own mirror image
+                const double n = field.optics(start).n;
+                followLight(field, lattice,
+                            {{start, glm::dvec3(n, 0.0, 0.0)}, glm::dvec3(share * spacing * spacing), {1.0, 1.0},
+                             f64::crossingNone(n)},
+                            options, parts[part]);
+            }
+        }
+    };
+    std::thread other(work, 1);
+    work(0);
+    other.join();
+    const double volume = lattice.voxel * lattice.voxel * lattice.voxel;
+    for (std::size_t i = 0; i < parts[0].values.size(); ++i) {
+        parts[0].values[i] = (parts[0].values[i] + parts[1].values[i]) / volume;
+    }
+    return unfoldedEightfold(parts[0]);
+}
+
+template DenseGrid<glm::dvec3> bakeSymmetricBeam(const SmoothedSphere&, const Lattice&, const BeamBakeOptions&);
+template DenseGrid<glm::dvec3> bakeSymmetricBeam(const GridField&, const Lattice&, const BeamBakeOptions&);
+
+} // namespace eikonal::reference

@@ -1,0 +1,89 @@
+#pragma once
+// Fields of a scene for the double-precision reference: what the textures hold, or a closed form.
+
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+
+#include <glm/glm.hpp>
+
+#include "common/fields.h"
+
+namespace eikonal::reference {
+
+struct Optics {
+    double n = 1.0;
+    glm::dvec3 gradN{0.0};  ///< [1 / scene unit]
+};
+
+/// Value of a dense grid at a world position: trilinear, clamped at the faces, as texture units do it.
+template <class Value>
+auto trilinear(const DenseGrid<Value>& grid, const Lattice& lattice, const glm::dvec3& x) {
+    const glm::dvec3 place = (x - lattice.min) / lattice.voxel - 0.5;
+    const glm::dvec3 lower = glm::floor(place);
+    const glm::dvec3 t = place - lower;
+    using Sum = std::conditional_t<std::is_same_v<Value, float>, double, glm::dvec3>;
+    Sum sum(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const glm::ivec3 index = glm::clamp(glm::ivec3(lower) + step, glm::ivec3(0), grid.size - 1);
+        const glm::dvec3 w = glm::mix(1.0 - t, t, glm::dvec3(step));
+        sum += Sum(grid.at(index)) * (w.x * w.y * w.z);
+    }
+    return sum;
+}
+
+/// The composed fields, interpolated as the kernels do it.
+class GridField {
+public:
+    explicit GridField(const Fields& fields) : fields_(fields) {}
+
+    Optics optics(const glm::dvec3& x) const {
+        if (fields_.iorGradient.empty()) {
+            return {fields_.iorUniform, glm::dvec3(0.0)};
+        }
+        return {trilinear(fields_.ior, fields_.lattice, x), trilinear(fields_.iorGradient, fields_.lattice, x)};
+    }
+    bool inBand(const glm::dvec3& x) const {
+        if (fields_.interface.empty()) {
+            return false;
+        }
+        const glm::ivec3 index(glm::floor((x - fields_.lattice.min) / fields_.lattice.voxel));
+        return fields_.interface.at(glm::clamp(index, glm::ivec3(0), fields_.lattice.size - 1)) > 127;
+    }
+    glm::dvec3 sigmaA(const glm::dvec3& x) const { return matter(fields_.sigmaA, x); }
+    glm::dvec3 sigmaS(const glm::dvec3& x) const { return matter(fields_.sigmaS, x); }
+
+private:
+    glm::dvec3 matter(const DenseGrid<glm::vec3>& grid, const glm::dvec3& x) const {
+        return grid.empty() ? glm::dvec3(0.0) : trilinear(grid, fields_.lattice, x);
+    }
+
+    const Fields& fields_;
+};
+
+/// The smoothed sphere about the origin, n = 1 + (index - 1) erfc((r - radius)/(sqrt(2) width))/2, in closed form; no
+/// matter and no Fresnel terms.
+class SmoothedSphere {
+public:
+    SmoothedSphere(double radius, double index, double width) : radius_(radius), contrast_(index - 1.0), width_(width) {}
+
+    Optics optics(const glm::dvec3& x) const {
+        const double r = glm::length(x);
+        const double z = (r - radius_) / width_;
+        if (std::abs(z) > kFlat) {
+            return {z < 0.0 ? 1.0 + contrast_ : 1.0, glm::dvec3(0.0)};
+        }
+        const double slope = -contrast_ * std::exp(-0.5 * z * z) / (width_ * std::sqrt(2.0 * std::numbers::pi));
+        return {1.0 + 0.5 * contrast_ * std::erfc(z / std::numbers::sqrt2), x * (slope / r)};
+    }
+    bool inBand(const glm::dvec3&) const { return false; }
+    glm::dvec3 sigmaA(const glm::dvec3&) const { return glm::dvec3(0.0); }
+    glm::dvec3 sigmaS(const glm::dvec3&) const { return glm::dvec3(0.0); }
+
+private:
+    static constexpr double kFlat = 8.0;  // widths from the boundary where exp(-z^2/2) is below 1e-13
+    double radius_, contrast_, width_;
+};
+
+} // namespace eikonal::reference

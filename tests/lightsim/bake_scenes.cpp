@@ -1,0 +1,44 @@
+#include "tests/lightsim/bake_scenes.h"
+
+namespace eikonal::test {
+
+Scene sceneWith(const Light& light) {
+    Scene scene;
+    scene.lights = {light};
+    return scene;
+}
+
+BakeResult bake(const Scene& scene, const Fields& fields, const BakeOptions& options) {
+    const gpu::Context& context = sharedContext();
+    return bakeScene(context, scene, fields, decideEffects(scene, fields), options);
+}
+
+Fields absorbingSphereInSmoke(int resolution) {
+    const Lattice lattice = cube(resolution, 1.0);
+    Fields fields = sphereFields(lattice, 0.6, 1.5, 1.5 * lattice.voxel);
+    fields.sigmaA = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.0f));
+    fields.sigmaS = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.0f));
+    fields.anisotropy = DenseGrid<float>(lattice.size, 0.0f);
+    for (int k = 0; k < resolution; ++k) {
+        for (int j = 0; j < resolution; ++j) {
+            for (int i = 0; i < resolution; ++i) {
+                const double distance = glm::length(lattice.worldFromIndex({i, j, k})) - 0.6;
+                const float coverage = float(glm::clamp(0.5 - distance / lattice.voxel, 0.0, 1.0));
+                fields.sigmaA.at(i, j, k) = coverage * glm::vec3(0.1f, 0.8f, 0.9f);
+                fields.sigmaS.at(i, j, k) = glm::vec3(0.4f * (1.0f - coverage));
+            }
+        }
+    }
+    return fields;
+}
+
+double relativeL1(const DenseGrid<glm::vec3>& a, const DenseGrid<glm::dvec3>& b) {
+    double difference = 0.0, total = 0.0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        difference += std::abs(double(a.values[i].x) - b.values[i].x);
+        total += b.values[i].x;
+    }
+    return difference / total;
+}
+
+} // namespace eikonal::test

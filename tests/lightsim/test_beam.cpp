@@ -1,0 +1,98 @@
+// Parallel beams: uniform in vacuum, exponential in an absorber, additive, and dark without light.
+#include "tests/lightsim/bake_scenes.h"
+
+namespace eikonal {
+namespace {
+
+TEST(Beam, IsUniformInVacuum) {
+    for (const glm::dvec3& direction : {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, -1.0, 0.0), glm::dvec3(1.0, 0.3, -0.2)}) {
+        const BakeResult result = test::bake(test::sceneWith(DirectionalLight{glm::normalize(direction), glm::dvec3(2.0)}),
+                                             test::uniformFields(test::cube(32, 1.0)));
+        double sum = 0.0;
+        for (int k = 2; k < 30; ++k) {
+            for (int j = 2; j < 30; ++j) {
+                for (int i = 2; i < 30; ++i) {
+                    const double irradiance = result.light.irradiance.at(i, j, k).x;
+                    sum += irradiance;
+                    // patches of one voxel against voxels of one voxel beat: a tenth at worst, nothing in the mean
+                    EXPECT_NEAR(irradiance, 2.0, 0.25);
+                    EXPECT_NEAR(glm::length(result.light.lightDirection.at(i, j, k)), 1.0, 1e-4);
+                }
+            }
+        }
+        EXPECT_NEAR(sum / (28.0 * 28.0 * 28.0), 2.0, 0.004);
+    }
+}
+
+TEST(Beam, FallsExponentiallyInAnAbsorber) {
+    const Lattice lattice = test::cube(32, 1.0);
+    Fields fields = test::uniformFields(lattice);
+    fields.sigmaA = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.5f, 1.0f, 2.0f));
+    const BakeResult result = test::bake(test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)}), fields);
+    const glm::dvec3 sigma(0.5, 1.0, 2.0);
+    for (int i = 1; i < 31; ++i) {
+        const double depth = (i + 0.5) * lattice.voxel;
+        const glm::dvec3 truth = glm::exp(-sigma * depth);
+        for (int band = 0; band < 3; ++band) {
+            // hat against point value of the exponential: (sigma h)^2/6 = 3e-3 of it where sigma is 2
+            EXPECT_NEAR(result.light.irradiance.at(i, 16, 16)[band], truth[band], 5e-3 * truth[band]);
+        }
+    }
+    const EnergyLedger& energy = result.statistics.energy;
+    for (int band = 0; band < 3; ++band) {
+        EXPECT_NEAR(energy.absorbed[band], 4.0 * (1.0 - std::exp(-2.0 * sigma[band])), 1e-3);
+        EXPECT_NEAR(energy.depositedAbsorbed[band], energy.absorbed[band], 5e-3 * energy.absorbed[band]);
+    }
+}
+
+TEST(Beam, AddsToOthers) {
+    const Fields fields = test::uniformFields(test::cube(16, 1.0));
+    Scene scene;
+    scene.lights = {DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0, 0.0, 0.0)},
+                    DirectionalLight{{-1.0, 0.0, 0.0}, glm::dvec3(0.0, 0.0, 1.0)}};
+    const BakeResult result = test::bake(scene, fields);
+    const glm::vec3 irradiance = result.light.irradiance.at(8, 8, 8);
+    EXPECT_NEAR(irradiance.x, 1.0, 0.01);
+    EXPECT_EQ(irradiance.y, 0.0f);
+    EXPECT_NEAR(irradiance.z, 1.0, 0.01);
+    // equal and opposite arrivals: no flux
+    EXPECT_NEAR(glm::length(result.light.lightDirection.at(8, 8, 8)), 0.0, 0.01);
+}
+
+TEST(Beam, LeavesDarknessWithoutLightOrPower) {
+    const Fields fields = test::uniformFields(test::cube(8, 1.0));
+    for (const Scene& scene : {Scene{}, test::sceneWith(PointLight{{0.0, 0.0, 0.0}, glm::dvec3(0.0)})}) {
+        const BakeResult result = test::bake(scene, fields);
+        for (const glm::vec3& irradiance : result.light.irradiance.values) {
+            EXPECT_EQ(irradiance, glm::vec3(0.0f));
+        }
+        EXPECT_EQ(result.statistics.energy.balance(), glm::dvec3(0.0));
+    }
+}
+
+TEST(Beam, IsStoppedByOpaqueMatter) {
+    const Lattice lattice = test::cube(32, 1.0);
+    Fields fields = test::uniformFields(lattice);
+    fields.opaque = DenseGrid<float>(lattice.size, 0.0f);
+    fields.albedo = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.8f));
+    for (int k = 8; k < 24; ++k) {
+        for (int j = 8; j < 24; ++j) {
+            for (int i = 14; i < 18; ++i) {
+                fields.opaque.at(i, j, k) = 1.0f;
+            }
+        }
+    }
+    const BakeResult result = test::bake(test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)}), fields);
+    const auto irradiance = [&](int i, int j, int k) { return result.light.irradiance.at(i, j, k).x; };
+    EXPECT_NEAR(irradiance(12, 16, 16), 1.0, 0.02);  // no power is lost in front of the wall
+    EXPECT_EQ(irradiance(15, 16, 16), 0.0f);         // none inside it
+    EXPECT_EQ(irradiance(24, 16, 16), 0.0f);         // nor behind it
+    EXPECT_NEAR(irradiance(24, 4, 16), 1.0, 0.02);   // and all beside it
+    const EnergyLedger& energy = result.statistics.energy;
+    // the wall is 16 patches wide and its edges are known to half a patch each: (1 + 1/16)^2 - 1
+    EXPECT_NEAR(energy.absorbedOpaque.x, 1.0, 0.13);
+    EXPECT_NEAR(energy.absorbedOpaque.x + energy.exited.x, energy.entered.x, 1e-5);
+}
+
+} // namespace
+} // namespace eikonal

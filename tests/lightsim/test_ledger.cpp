@@ -1,0 +1,44 @@
+// Energy: what enters is absorbed, scattered, reflected or leaves, and the written grid says the same independently.
+#include "tests/lightsim/bake_scenes.h"
+
+namespace eikonal {
+namespace {
+
+TEST(Ledger, BalancesAndAgreesWithTheGrid) {
+    const BakeResult result = test::bake(test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)}),
+                                         test::absorbingSphereInSmoke(48));
+    const EnergyLedger& energy = result.statistics.energy;
+    for (int band = 0; band < 3; ++band) {
+        EXPECT_NEAR(energy.entered[band], energy.emitted[band], 1e-3 * energy.emitted[band]);
+        EXPECT_NEAR(energy.balance()[band], 0.0, 0.002);
+        EXPECT_NEAR(energy.depositedAbsorbed[band], energy.absorbed[band], 0.005 * energy.absorbed[band]);
+        EXPECT_NEAR(energy.depositedScattered[band], energy.scattered[band], 0.005 * energy.scattered[band]);
+        EXPECT_GT(energy.reflected[band], 0.0);
+        EXPECT_LT(energy.culled[band], 0.005 * energy.entered[band]);  // light caught in total reflection
+    }
+}
+
+TEST(Ledger, CountsFresnelLossOncePerCrossing) {
+    // A slab of index 1.5 across the beam: (1 - R)^2 is transmitted, with R = 0.04 at each of its faces.
+    const Lattice lattice = test::cube(48, 1.0);
+    const double width = 1.5 * lattice.voxel;
+    Fields fields = test::indexFields(lattice, [&](const glm::dvec3& x) {
+        return 1.0 + 0.25 * std::erfc((std::abs(x.x) - 0.4) / (std::sqrt(2.0) * width));
+    });
+    fields.interface = DenseGrid<unsigned char>(lattice.size, 0);
+    for (int k = 0; k < 48; ++k) {
+        for (int j = 0; j < 48; ++j) {
+            for (int i = 0; i < 48; ++i) {
+                const double distance = std::abs(std::abs(lattice.worldFromIndex({i, j, k}).x) - 0.4);
+                fields.interface.at(i, j, k) = distance < 2.75 * width ? 255 : 0;
+            }
+        }
+    }
+    const BakeResult result = test::bake(test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)}), fields);
+    // the band ends where 0.3 % of the step is left: R is known to 2 x 0.3 % / 0.5 of itself
+    EXPECT_NEAR(result.statistics.energy.exited.x / result.statistics.energy.entered.x, 0.96 * 0.96, 0.002);
+    EXPECT_NEAR(result.light.irradiance.at(24, 24, 24).x, 0.96, 0.01);
+}
+
+} // namespace
+} // namespace eikonal

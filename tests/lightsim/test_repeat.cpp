@@ -1,0 +1,41 @@
+// The same scene gives the same bits: on repeat, with a pool too small for the wavefront, and in slabs.
+#include "tests/lightsim/bake_scenes.h"
+
+namespace eikonal {
+namespace {
+
+class Repeat : public ::testing::Test {
+protected:
+    static BakeResult bakeWith(const BakeOptions& options) {
+        static const Fields fields = test::absorbingSphereInSmoke(24);
+        static const Scene scene = [] {
+            Scene lit = test::sceneWith(DirectionalLight{{0.9, 0.3, 0.1}, glm::dvec3(1.0, 0.9, 0.7)});
+            lit.lights.push_back(PointLight{{0.2, 0.7, 0.8}, glm::dvec3(3.0)});
+            return lit;
+        }();
+        return test::bake(scene, fields, options);
+    }
+
+    static void expectEqual(const BakeResult& a, const BakeResult& b) {
+        EXPECT_EQ(a.light.irradiance.values, b.light.irradiance.values);
+        EXPECT_EQ(a.light.lightDirection.values, b.light.lightDirection.values);
+        EXPECT_EQ(a.statistics.energy.absorbed, b.statistics.energy.absorbed);
+    }
+};
+
+TEST_F(Repeat, GivesTheSameBits) { expectEqual(bakeWith({}), bakeWith({})); }
+
+TEST_F(Repeat, IsIndependentOfThePool) {
+    const BakeResult small = bakeWith({.poolPatches = 512});
+    EXPECT_LE(small.statistics.patches.peak, 512u);
+    EXPECT_EQ(small.statistics.patches.refusedSplits, 0u);
+    expectEqual(small, bakeWith({}));
+}
+
+TEST_F(Repeat, IsIndependentOfTheLargestBlock) {
+    // 24 x 24 voxels x 8 bytes a layer: seven layers a slab, four slabs, the last one thinner
+    expectEqual(bakeWith({.maxBlockBytes = 7 * 24 * 24 * 8}), bakeWith({}));
+}
+
+} // namespace
+} // namespace eikonal
