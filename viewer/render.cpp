@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "common/accuracy.h"
 #include "common/gpu_fields.h"
 #include "common/image_io.h"
 #include "viewer/accumulate.h"
@@ -62,7 +63,7 @@ struct Pipeline {
           light(context, bake), defines(fields.defines()), batch(context, capacity),
           generate(context, fields.defines(), viewer::Generate::Source::kCamera),
           march(context, allDefines(),
-                {scene.accuracy.stepVoxels.value_or(1.0), options.maxEvaluations, options.stepsPerSlice},
+                {stepVoxelsOf(scene.accuracy), options.maxEvaluations, options.stepsPerSlice},
                 sceneFields.lattice),
           shade(context, defines), accumulate(context, capacity), toneMap(context, scene.render.toneMap, capacity) {}
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/accuracy.h"
 #include "common/gpu_fields.h"
 #include "viewer/generate.h"
 #include "viewer/march.h"
@@ -116,7 +117,7 @@ std::string_view traceStatusName(TraceStatus status) {
 
 std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
-    Tracer tracer(context, fields, effects, {.stepVoxels = accuracy.stepVoxels.value_or(1.0)},
+    Tracer tracer(context, fields, effects, {.stepVoxels = stepVoxelsOf(accuracy)},
                   std::min(rays.size(), kRaysAtATime));
     std::vector<TraceResult> results;
     results.reserve(rays.size());
@@ -132,7 +133,7 @@ std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fi
 
 std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
-    Tracer tracer(context, fields, effects, {.stepVoxels = accuracy.stepVoxels.value_or(1.0), .stepsPerSlice = 1},
+    Tracer tracer(context, fields, effects, {.stepVoxels = stepVoxelsOf(accuracy), .stepsPerSlice = 1},
                   std::min(rays.size(), kRaysAtATime));
     std::vector<TracePoint> points;
     std::size_t row = 0;

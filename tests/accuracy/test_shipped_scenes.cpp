@@ -1,0 +1,51 @@
+// Energy in every shipped scene, from the statistics of `eikonal bake`.
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/run_eikonal.h"
+
+namespace eikonal {
+namespace {
+
+using Json = nlohmann::json;
+
+std::vector<std::string> shippedScenes() {
+    std::vector<std::string> scenes;
+    for (const auto& entry : std::filesystem::directory_iterator(EIKONAL_SCENES)) {
+        if (entry.path().extension() == ".toml") {
+            scenes.push_back(entry.path().stem().string());
+        }
+    }
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+class ShippedScene : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ShippedScene, KeepsItsEnergy) {
+    const test::TemporaryFolder folder;
+    std::vector<std::string> arguments = {"bake",    std::string(EIKONAL_SCENES) + "/" + GetParam() + ".toml", "-o",
+                                          folder.file("bake.vdb"), "--stats", folder.file("stats.json"), "--quiet"};
+    const auto run = test::runEikonal(arguments);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json energy = Json::parse(test::readText(folder.file("stats.json"))).at("energy");
+    for (int band = 0; band < 3; ++band) {
+        const auto row = [&](const char* name) { return energy.at(name).at(std::size_t(band)).get<double>(); };
+        ASSERT_GT(row("entered"), 0.0);
+        EXPECT_LE(std::abs(row("balance")), 0.002);
+        EXPECT_LE(row("culled"), 0.002 * row("entered"));
+        const double absorbedByMedium = row("absorbed") - row("absorbed_opaque");
+        // of the entered power, so that a scene in which next to nothing is absorbed is not judged by rounding
+        EXPECT_NEAR(row("deposited_absorbed"), absorbedByMedium, 0.005 * absorbedByMedium + 1e-5 * row("entered"));
+        EXPECT_NEAR(row("deposited_scattered"), row("scattered"), 0.005 * row("scattered") + 1e-5 * row("entered"));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Volumes, ShippedScene, ::testing::ValuesIn(shippedScenes()),
+                         [](const auto& scene) { return scene.param; });
+
+} // namespace
+} // namespace eikonal
