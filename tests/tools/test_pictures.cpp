@@ -1,0 +1,112 @@
+// The gallery of the README is what the program still renders: each shipped scene, at a quarter of the gallery's size.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "common/image_io.h"
+#include "common/scene_toml.h"
+#include "tests/tools/run_eikonal.h"
+
+namespace eikonal::test {
+
+namespace {
+
+constexpr int kReduction = 4;
+
+/// Mean over squares of kReduction pixels.
+Image reduced(const Image& image) {
+    Image result{image.size / kReduction, {}};
+    for (int y = 0; y < result.size.y; ++y) {
+        for (int x = 0; x < result.size.x; ++x) {
+            glm::vec3 sum(0.0f);
+            for (int i = 0; i < kReduction * kReduction; ++i) {
+                sum += image.at(kReduction * x + i % kReduction, kReduction * y + i / kReduction);
+            }
+            result.pixels.push_back(sum / float(kReduction * kReduction));
+        }
+    }
+    return result;
+}
+
+/// Differences by pixel in the square root of linear values, near to how they look; the largest band's.
+std::vector<double> differences(const Image& a, const Image& b) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const glm::vec3 difference = glm::abs(glm::sqrt(a.pixels[i]) - glm::sqrt(b.pixels[i]));
+        result.push_back(std::max({difference.r, difference.g, difference.b}));
+    }
+    return result;
+}
+
+/// The ledger closes, and what the written grid says was absorbed and scattered is what the ledger says.
+void expectEnergyKept(const nlohmann::json& energy, double tolerance) {
+    for (std::size_t band = 0; band < 3; ++band) {
+        EXPECT_LE(std::abs(energy["balance"][band].get<double>()), 0.002);
+        const double scattered = energy["scattered"][band];
+        EXPECT_NEAR(energy["deposited_scattered"][band].get<double>(), scattered, 0.005 * scattered);
+        const double absorbed = energy["absorbed"][band].get<double>() - energy["absorbed_opaque"][band].get<double>();
+        EXPECT_NEAR(energy["deposited_absorbed"][band].get<double>(), absorbed, 0.5 * tolerance * absorbed);
+    }
+}
+
+/// `arguments`: the scene, and perhaps --set and one override.
+double toleranceOf(const std::vector<std::string>& arguments) {
+    const std::vector<std::string> overrides(arguments.begin() + std::min<std::ptrdiff_t>(2, std::ssize(arguments)),
+                                             arguments.end());
+    return loadScene(arguments[0], overrides).accuracy.tolerance;
+}
+
+class Picture : public testing::TestWithParam<std::string> {
+protected:
+    std::vector<std::string> sceneArguments() const {
+        std::vector<std::string> arguments{std::string(EIKONAL_SCENES) + "/" + GetParam() + ".toml"};
+        if (GetParam() == "amber_figure") {
+            const std::string mesh = folder_.file("trefoil.obj");
+            const std::string volume = folder_.file("trefoil.vdb");
+            EXPECT_EQ(runEikonal({"figure", "-o", mesh}).exitCode, 0);
+            EXPECT_EQ(runEikonal({"voxelize", mesh, "-o", volume, "--ior", "1.54", "--absorption", "0.5,2,7",
+                                  "--resolution", "64"}).exitCode, 0);
+            arguments.insert(arguments.end(), {"--set", "object.0.volume=" + volume});
+        }
+        return arguments;
+    }
+
+    TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_P(Picture, LooksLikeTheGallery) {
+    const Image gallery = reduced(readImage(std::string(EIKONAL_GALLERY) + "/" + GetParam() + ".png"));
+    std::vector<std::string> arguments{"render"};
+    const std::vector<std::string> scene = sceneArguments();
+    arguments.insert(arguments.end(), scene.begin(), scene.end());
+    const std::string size = std::to_string(gallery.size.x) + "x" + std::to_string(gallery.size.y);
+    const std::string statistics = folder_.file("picture.json");
+    arguments.insert(arguments.end(), {"--size", size, "-o", folder_.file("picture.png"), "--stats", statistics});
+    const RunResult result = runEikonal(arguments);
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+
+    const Image picture = readImage(folder_.file("picture.png"));
+    ASSERT_EQ(picture.size, gallery.size);
+    std::vector<double> difference = differences(picture, gallery);
+    double mean = 0.0;
+    for (const double value : difference) {
+        mean += value / double(difference.size());
+    }
+    std::sort(difference.begin(), difference.end());
+    RecordProperty("mean_difference", std::to_string(mean));
+    EXPECT_LT(mean, 0.01);
+    EXPECT_LT(difference[difference.size() * 95 / 100], 0.05);
+
+    expectEnergyKept(nlohmann::json::parse(readText(statistics))["bake"]["energy"], toleranceOf(scene));
+}
+
+INSTANTIATE_TEST_SUITE_P(Gallery, Picture,
+                         testing::Values("glass_sphere", "amber_figure", "wine_glass", "luneburg", "fog_point_light"),
+                         [](const auto& info) { return info.param; });
+
+} // namespace eikonal::test
