@@ -53,8 +53,17 @@ public:
     }
     glm::dvec3 sigmaA(const glm::dvec3& x) const { return matter(fields_.sigmaA, x); }
     glm::dvec3 sigmaS(const glm::dvec3& x) const { return matter(fields_.sigmaS, x); }
+    glm::dvec3 emission(const glm::dvec3& x) const { return matter(fields_.emission, x); }
+    glm::dvec3 albedo(const glm::dvec3& x) const { return matter(fields_.albedo, x); }
+    double anisotropy(const glm::dvec3& x) const { return share(fields_.anisotropy, x); }
+    /// Area coverage by opaque matter.
+    double coverage(const glm::dvec3& x) const { return share(fields_.opaque, x); }
+    const Lattice& lattice() const { return fields_.lattice; }
 
 private:
+    double share(const DenseGrid<float>& grid, const glm::dvec3& x) const {
+        return grid.empty() ? 0.0 : trilinear(grid, fields_.lattice, x);
+    }
     glm::dvec3 matter(const DenseGrid<glm::vec3>& grid, const glm::dvec3& x) const {
         return grid.empty() ? glm::dvec3(0.0) : trilinear(grid, fields_.lattice, x);
     }

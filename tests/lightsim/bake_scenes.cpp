@@ -19,16 +19,12 @@ Fields absorbingSphereInSmoke(int resolution) {
     fields.sigmaA = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.0f));
     fields.sigmaS = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.0f));
     fields.anisotropy = DenseGrid<float>(lattice.size, 0.0f);
-    for (int k = 0; k < resolution; ++k) {
-        for (int j = 0; j < resolution; ++j) {
-            for (int i = 0; i < resolution; ++i) {
-                const double distance = glm::length(lattice.worldFromIndex({i, j, k})) - 0.6;
-                const float coverage = float(glm::clamp(0.5 - distance / lattice.voxel, 0.0, 1.0));
-                fields.sigmaA.at(i, j, k) = coverage * glm::vec3(0.1f, 0.8f, 0.9f);
-                fields.sigmaS.at(i, j, k) = glm::vec3(0.4f * (1.0f - coverage));
-            }
-        }
-    }
+    forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        const double distance = glm::length(lattice.worldFromIndex(v)) - 0.6;
+        const float coverage = float(glm::clamp(0.5 - distance / lattice.voxel, 0.0, 1.0));
+        fields.sigmaA.at(v) = coverage * glm::vec3(0.1f, 0.8f, 0.9f);
+        fields.sigmaS.at(v) = glm::vec3(0.4f * (1.0f - coverage));
+    });
     return fields;
 }
 

@@ -2,7 +2,7 @@
 // Scenes for the light simulator, made in memory.
 
 #include "lightsim/bake.h"
-#include "tests/viewer/synthetic_fields.h"
+#include "tests/support/synthetic_fields.h"
 
 namespace eikonal::test {
 

@@ -26,14 +26,10 @@ TEST(Ledger, CountsFresnelLossOncePerCrossing) {
         return 1.0 + 0.25 * std::erfc((std::abs(x.x) - 0.4) / (std::sqrt(2.0) * width));
     });
     fields.interface = DenseGrid<unsigned char>(lattice.size, 0);
-    for (int k = 0; k < 48; ++k) {
-        for (int j = 0; j < 48; ++j) {
-            for (int i = 0; i < 48; ++i) {
-                const double distance = std::abs(std::abs(lattice.worldFromIndex({i, j, k}).x) - 0.4);
-                fields.interface.at(i, j, k) = distance < 2.75 * width ? 255 : 0;
-            }
-        }
-    }
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        const double distance = std::abs(std::abs(lattice.worldFromIndex(v).x) - 0.4);
+        fields.interface.at(v) = distance < 2.75 * width ? 255 : 0;
+    });
     const BakeResult result = test::bake(test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)}), fields);
     // the band ends where 0.3 % of the step is left: R is known to 2 x 0.3 % / 0.5 of itself
     EXPECT_NEAR(result.statistics.energy.exited.x / result.statistics.energy.entered.x, 0.96 * 0.96, 0.002);

@@ -1,81 +1,38 @@
 // Every variant of every kernel of the viewer compiles, and the validator of the shading language agrees.
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
 #include "common/error.h"
 #include "common/gpu/objects.h"
 #include "common/gpu/shader_source.h"
 #include "common/gpu_fields.h"
-#include "tests/viewer/synthetic_fields.h"
+#include "tests/support/kernel_variants.h"
+#include "tests/support/synthetic_fields.h"
 
 namespace eikonal {
 namespace {
 
-using Defines = std::vector<std::string>;
+using test::KernelVariant;
 
-struct Variant {
-    std::string kernel;
-    Defines defines;
-};
-
-/// Every subset of what a kernel asks for would be 2^9; each effect alone, each left out, none and all say as much.
-std::vector<Defines> effectSubsets() {
-    const Defines all = {"EFFECT_REFRACTION", "EFFECT_ABSORPTION", "EFFECT_SCATTERING",  "EFFECT_EMISSION",
-                         "EFFECT_REFLECTION", "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE",
-                         "BAKED_LIGHT",       "MANUAL_FILTERING"};
-    std::vector<Defines> subsets = {{}, all};
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        subsets.push_back({all[i]});
-        Defines without = all;
-        without.erase(without.begin() + std::ptrdiff_t(i));
-        subsets.push_back(without);
-    }
-    return subsets;
-}
-
-std::vector<Variant> variants() {
-    std::vector<Variant> rows = {{"viewer/accumulate.comp.glsl", {}},
-                                 {"viewer/tone_map.comp.glsl", {}},
-                                 {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},
-                                 {"viewer/tone_map.comp.glsl", {"TONE_REINHARD"}},
-                                 {"gpu/linear_filtering.comp.glsl", {}}};
-    for (const Defines& subset : effectSubsets()) {
-        for (const char* extra : {"SAMPLES_PER_HALF 0", "SAMPLES_PER_HALF 2"}) {
-            rows.push_back({"viewer/march.comp.glsl", subset});
-            rows.back().defines.push_back(extra);
-        }
-        rows.push_back({"viewer/shade.comp.glsl", subset});
-        rows.push_back({"viewer/generate.comp.glsl", subset});
-        rows.push_back({"viewer/generate.comp.glsl", subset});
-        rows.back().defines.push_back("RAYS_GIVEN");
+std::vector<KernelVariant> variants() {
+    const std::vector<std::string> switches = {
+        "EFFECT_REFRACTION", "EFFECT_ABSORPTION",  "EFFECT_SCATTERING", "EFFECT_EMISSION", "EFFECT_REFLECTION",
+        "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "MANUAL_FILTERING"};
+    std::vector<KernelVariant> rows = {{"viewer/accumulate.comp.glsl", {}},
+                                       {"viewer/tone_map.comp.glsl", {}},
+                                       {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},
+                                       {"viewer/tone_map.comp.glsl", {"TONE_REINHARD"}},
+                                       {"gpu/linear_filtering.comp.glsl", {}}};
+    for (const auto& subset : test::tellingSubsets(switches)) {
+        rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
+        rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 2"}));
+        rows.push_back(test::variant("viewer/shade.comp.glsl", subset));
+        rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
+        rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
     }
     return rows;
 }
 
-TEST(Kernels, CompileInEveryVariant) {
-    const gpu::Context& context = test::sharedContext();
-    for (const Variant& variant : variants()) {
-        EXPECT_NO_THROW(gpu::Kernel(context, variant.kernel, variant.defines)) << variant.kernel;
-    }
-    EXPECT_NO_THROW(context.throwIfError());
-}
+TEST(Kernels, CompileInEveryVariant) { test::expectVariantsCompile(variants()); }
 
-TEST(Kernels, SatisfyTheValidatorInEveryVariant) {
-    if (std::system("glslangValidator --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "glslangValidator is absent";
-    const auto folder = std::filesystem::temp_directory_path() / ("eikonal_kernels_" + std::to_string(std::rand()));
-    std::filesystem::create_directories(folder);
-    std::string command = "glslangValidator -S comp";
-    int number = 0;
-    for (const Variant& variant : variants()) {
-        const auto file = folder / (std::to_string(number++) + ".comp");
-        std::ofstream(file) << gpu::kernelSource(variant.kernel, variant.defines);
-        command += " " + file.string();
-    }
-    EXPECT_EQ(std::system((command + " > " + (folder / "log").string() + " 2>&1").c_str()), 0)
-        << std::ifstream(folder / "log").rdbuf();
-    std::filesystem::remove_all(folder);
-}
+TEST(Kernels, SatisfyTheValidatorInEveryVariant) { test::expectValidatorAgrees(variants()); }
 
 TEST(Kernels, IncludeEveryFileOnce) {
     const std::string source = gpu::kernelSource("viewer/march.comp.glsl", {"EFFECT_REFLECTION", "SAMPLES_PER_HALF 0"});

@@ -1,8 +1,10 @@
-// Rays through voxel fields, by the march kernel, against closed forms and against a march in double.
+// Rays through voxel fields, by the march kernel, against closed forms and against the reference in double.
 #include <cmath>
+#include <optional>
 
 #include "common/physics.h"
-#include "tests/viewer/synthetic_fields.h"
+#include "common/reference/image_reference.h"
+#include "tests/support/synthetic_fields.h"
 #include "viewer/trace.h"
 
 namespace eikonal {
@@ -12,7 +14,8 @@ using test::sharedContext;
 
 const Scene kScene;
 
-std::vector<TraceResult> traced(const Fields& fields, const std::vector<TraceRay>& rays, double stepVoxels = 1.0) {
+std::vector<TraceResult> traced(const Fields& fields, const std::vector<TraceRay>& rays,
+                                std::optional<double> stepVoxels = {}) {
     Accuracy accuracy;
     accuracy.stepVoxels = stepVoxels;
     return traceRays(sharedContext(), fields, test::effectsOf(kScene, fields), accuracy, rays);
@@ -120,18 +123,13 @@ TEST(Trace, GradedRodIsHarmonic) {
     EXPECT_LE(rms, 2e-4);
 }
 
-/// Deflection of a ray in n(r) = 1 + 0.5 erfc((r - 0.8)/(sqrt 2 b))/2 by Bouguer's integral, through leapfrog in double
-/// with steps so small that its error is below 1e-7.
-glm::dvec3 smoothedSphereDirection(const TraceRay& input, double b) {
-    const double kPi = 3.14159265358979323846;
+/// Direction behind a smoothed sphere by leapfrog in double with steps so small that its error is below 1e-7.
+glm::dvec3 directionBehind(const reference::SmoothedSphere& sphere, const TraceRay& input) {
     f64::Ray ray = {input.origin + glm::normalize(input.direction) * 1.9, glm::normalize(input.direction)};
     const double h = 1e-3;
     for (int i = 0; i < 2300; ++i) {
         ray = f64::driftByLength(ray, 0.5 * h);
-        const double r = std::max(glm::length(ray.x), 1e-12);
-        const double t = (r - 0.8) / b;
-        const double slope = -0.5 * std::exp(-0.5 * t * t) / (b * std::sqrt(2.0 * kPi));
-        ray = f64::driftByLength(f64::kickByLength(ray, ray.x * (slope / r), h), 0.5 * h);
+        ray = f64::driftByLength(f64::kickByLength(ray, sphere.optics(ray.x).gradN, h), 0.5 * h);
     }
     return glm::normalize(ray.w);
 }
@@ -140,49 +138,26 @@ TEST(Trace, SmoothedSphereRefractsLikeItsProfile) {
     const double b = 0.04;
     const Fields fields = test::sphereFields(test::cube(128, 1.125), 0.8, 1.5, b);
     const auto rays = parallelRays(0.76, 500, {0.1, -0.2, 1.0}, 3.0);
+    const reference::SmoothedSphere sphere(0.8, 1.5, b);
     const double rms = rmsDirectionError(rays, traced(fields, rays), [&](const TraceRay& ray, const TraceResult&) {
-        return smoothedSphereDirection(ray, b);
+        return directionBehind(sphere, ray);
     });
     RecordProperty("rms", std::to_string(rms));
     EXPECT_LE(rms, 1e-3);
 }
 
-struct Ended {
-    glm::dvec3 x, w;
-};
-
-/// The march in double through the same trilinear field with the same steps.
-Ended marchedInDouble(const Fields& fields, const TraceRay& input, double step) {
-    const glm::dvec3 low = fields.lattice.min, high = fields.lattice.max();
-    const glm::dvec3 direction = glm::normalize(input.direction);
-    const auto span = f64::boxSpan(input.origin, direction, low, high);
-    f64::Ray ray = {input.origin + direction * std::max(span.enter, 0.0), direction};
-    ray.w *= test::trilinear(fields, ray.x).w;
-    const auto toFace = [&] { return f64::distanceToExit(ray.x, glm::normalize(ray.w), low, high); };
-    while (true) {
-        const double ds = std::min(step, toFace());
-        const bool last = ds < step;
-        ray = f64::driftByLength(ray, 0.5 * ds);
-        ray = f64::kickByLength(ray, glm::dvec3(test::trilinear(fields, ray.x)), ds);
-        const double face = toFace();
-        if ((last && face < ds) || face < 0.5 * ds) {
-            ray = f64::driftByLength(ray, face);
-            break;
-        }
-        ray = f64::driftByLength(ray, 0.5 * ds);
-    }
-    return {ray.x, ray.w};
-}
-
-TEST(Trace, AgreesWithAMarchInDoubleThroughTheSameField) {
+TEST(Trace, AgreesWithTheReferenceThroughTheSameField) {
     const Fields fields = test::sphereFields(test::cube(64, 1.0), 0.7, 1.5, 0.05);
+    const auto darkness = [](const glm::dvec3&) { return glm::dvec3(0.0); };
+    const reference::ImageScene scene{.fields = fields, .background = darkness};
     const auto rays = parallelRays(0.68, 300, {0.3, 0.2, 1.0}, 3.0);
     for (const double stepVoxels : {0.5, 1.0, 3.0}) {
         const auto results = traced(fields, rays, stepVoxels);
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            const Ended exact = marchedInDouble(fields, rays[i], stepVoxels * fields.lattice.voxel);
-            EXPECT_LE(glm::length(results[i].position - exact.x), 1e-4) << "ray " << i << ", step " << stepVoxels;
-            EXPECT_LE(glm::length(results[i].direction - glm::normalize(exact.w)), 1e-4) << "ray " << i;
+            const auto exact = reference::followRay(scene, rays[i].origin, rays[i].direction, {.stepVoxels = stepVoxels});
+            EXPECT_LE(glm::length(results[i].position - exact.position), 1e-4) << "ray " << i << ", step " << stepVoxels;
+            EXPECT_LE(glm::length(results[i].direction - exact.direction), 1e-4) << "ray " << i;
+            EXPECT_NEAR(results[i].opticalLength, exact.opticalLength, 1e-4) << "ray " << i;
         }
     }
 }
@@ -237,7 +212,9 @@ TEST(Trace, CountsOpticalDepthAndOpaqueHits) {
     const auto coverage = test::boxGrid(lattice, {-1.0, -1.0, 0.61}, {1.0, 1.0, 0.9}, glm::vec3(1.0f));
     fields.opaque = DenseGrid<float>(lattice.size, 0.0f);
     for (std::size_t i = 0; i < coverage.values.size(); ++i) fields.opaque.values[i] = coverage.values[i].x;
-    const auto results = traced(fields, {{{0.03, 0.01, -3.0}, {0.0, 0.0, 1.0}}, {{0.0, 0.0, -0.9}, {0.0, 0.0, -1.0}}});
+    const double aVoxel = 1.0;  // steps that sum linear interpolation over a sharp face exactly
+    const auto results =
+        traced(fields, {{{0.03, 0.01, -3.0}, {0.0, 0.0, 1.0}}, {{0.0, 0.0, -0.9}, {0.0, 0.0, -1.0}}}, aVoxel);
     EXPECT_EQ(results[0].status, TraceStatus::kAbsorbed);
     EXPECT_NEAR(results[0].position.z, 0.61, 0.01);
     EXPECT_NEAR(results[0].depth.x, 0.35, 1e-4);

@@ -16,6 +16,15 @@ const gpu::Context& sharedContext();
 
 Lattice cube(int resolution, double halfEdge);
 
+template <class Visit>
+void forEachVoxel(const Lattice& lattice, const Visit& visit) {
+    for (int k = 0; k < lattice.size.z; ++k) {
+        for (int j = 0; j < lattice.size.y; ++j) {
+            for (int i = 0; i < lattice.size.x; ++i) visit(glm::ivec3(i, j, k));
+        }
+    }
+}
+
 /// Samples of n at voxel centres and their fourth-order differences; no interfaces, no matter.
 Fields indexFields(const Lattice& lattice, const std::function<double(const glm::dvec3&)>& n);
 
@@ -33,8 +42,5 @@ DenseGrid<glm::vec3> boxGrid(const Lattice& lattice, const glm::dvec3& min, cons
 Scene plainScene(const glm::dvec3& surroundings, double cameraDistance, double fov, int size);
 
 EffectSet effectsOf(const Scene& scene, const Fields& fields);
-
-/// Value of a grid at a position by trilinear interpolation in double, clamped at the faces.
-glm::dvec4 trilinear(const Fields& fields, const glm::dvec3& x);
 
 } // namespace eikonal::test

@@ -1,21 +1,8 @@
-#include "tests/viewer/synthetic_fields.h"
+#include "tests/support/synthetic_fields.h"
 
 #include <cmath>
 
 namespace eikonal::test {
-
-namespace {
-
-template <class Visit>
-void forEachVoxel(const Lattice& lattice, const Visit& visit) {
-    for (int k = 0; k < lattice.size.z; ++k) {
-        for (int j = 0; j < lattice.size.y; ++j) {
-            for (int i = 0; i < lattice.size.x; ++i) visit(glm::ivec3(i, j, k));
-        }
-    }
-}
-
-} // namespace
 
 const gpu::Context& sharedContext() {
     static const gpu::Context context = gpu::Context::windowless();
@@ -77,18 +64,5 @@ Scene plainScene(const glm::dvec3& surroundings, double cameraDistance, double f
 }
 
 EffectSet effectsOf(const Scene& scene, const Fields& fields) { return decideEffects(scene, fields); }
-
-glm::dvec4 trilinear(const Fields& fields, const glm::dvec3& x) {
-    const glm::dvec3 position = (x - fields.lattice.min) / fields.lattice.voxel - 0.5;
-    const glm::dvec3 base = glm::floor(position);
-    const glm::dvec3 t = position - base;
-    const auto value = [&](int i, int j, int k) {
-        const glm::ivec3 v = glm::clamp(glm::ivec3(base) + glm::ivec3(i, j, k), glm::ivec3(0), fields.lattice.size - 1);
-        return glm::dvec4(glm::dvec3(fields.iorGradient.at(v)), double(fields.ior.at(v)));
-    };
-    const auto row = [&](int j, int k) { return glm::mix(value(0, j, k), value(1, j, k), t.x); };
-    const auto plane = [&](int k) { return glm::mix(row(0, k), row(1, k), t.y); };
-    return glm::mix(plane(0), plane(1), t.z);
-}
 
 } // namespace eikonal::test

@@ -1,0 +1,203 @@
+#include "common/reference/image_reference.h"
+
+#include <algorithm>
+#include <array>
+
+#include "common/physics.h"
+
+namespace eikonal::reference {
+
+namespace {
+
+constexpr double kSolid = 0.5;  // coverage at which matter begins
+
+/// One ray under way and all that it has met.
+class Walk {
+public:
+    Walk(const ImageScene& scene, const ImageOptions& options)
+        : scene_(scene), field_(scene.fields), step_(options.stepVoxels * field_.lattice().voxel),
+          maxLength_(options.maxPathVoxels * field_.lattice().voxel) {}
+
+    ImageRay from(const glm::dvec3& origin, const glm::dvec3& direction);
+
+private:
+    bool enter(const glm::dvec3& origin, const glm::dvec3& direction);
+    bool step();
+    void meetBoundary(const glm::dvec3& w, const Optics& optics, bool inBand);
+    void meetMatter(const glm::dvec3& x, const glm::dvec3& direction, double ds);
+    glm::dvec3 firstSolid(glm::dvec3 free, glm::dvec3 inside) const;
+    glm::dvec3 scattered(const glm::dvec3& x, const glm::dvec3& direction) const;
+    glm::dvec3 surfaceRadiance(const glm::dvec3& x, const glm::dvec3& direction) const;
+
+    bool solid(const glm::dvec3& x) const { return field_.coverage(x) >= kSolid; }
+    glm::dvec3 direction() const { return glm::normalize(ray_.w); }
+    double toFace() const {
+        return f64::distanceToExit(ray_.x, direction(), field_.lattice().min, field_.lattice().max());
+    }
+    glm::dvec3 left() const { return transmittance_ * (0.5 * (fresnel_.s + fresnel_.p)); }
+
+    const ImageScene& scene_;
+    GridField field_;
+    double step_, maxLength_;
+    f64::Ray ray_{};
+    f64::Crossing crossing_{};
+    f64::Polarised fresnel_{1.0, 1.0};
+    glm::dvec3 transmittance_{1.0}, basic_{0.0}, depth_{0.0};  // basic: radiance over n² so far
+    double n_ = 1.0, nCamera_ = 1.0, length_ = 0.0, opticalLength_ = 0.0;
+};
+
+/// Moves the ray to where it meets the domain; its faces do not refract. False if it misses.
+bool Walk::enter(const glm::dvec3& origin, const glm::dvec3& direction) {
+    const f64::BoxSpan span = f64::boxSpan(origin, direction, field_.lattice().min, field_.lattice().max());
+    const double start = std::max(span.enter, 0.0);
+    ray_ = {origin + direction * start, direction};
+    if (span.leave <= start)
+        return false;
+    n_ = field_.optics(ray_.x).n;
+    nCamera_ = span.enter <= 0.0 ? n_ : 1.0;
+    ray_.w *= n_;
+    crossing_ = f64::crossingNone(n_);
+    return true;
+}
+
+/// A Fresnel term where a boundary ends, and the background that it mirrors.
+void Walk::meetBoundary(const glm::dvec3& w, const Optics& optics, bool inBand) {
+    if (f64::crossingEnds(crossing_, inBand, optics.gradN)) {
+        const f64::Polarised t =
+            f64::crossingTransmittance(crossing_, w, f64::crossingEndIndex(crossing_, inBand, optics.n));
+        const glm::dvec3 before = left();
+        fresnel_ = {fresnel_.s * t.s, fresnel_.p * t.p};
+        const glm::dvec3 mirrored = before - left();
+        if (mirrored != glm::dvec3(0.0))
+            basic_ += mirrored * scene_.background(glm::normalize(f64::crossingReflected(crossing_, w)));
+    }
+    crossing_ = f64::crossingAfter(crossing_, inBand, w, optics.n, optics.gradN);
+}
+
+/// Radiance per scene unit that the baked light sends into the ray.
+glm::dvec3 Walk::scattered(const glm::dvec3& x, const glm::dvec3& direction) const {
+    if (!scene_.light)
+        return glm::dvec3(0.0);
+    const glm::dvec3 irradiance = trilinear(scene_.light->irradiance, scene_.light->lattice, x);
+    const glm::dvec3 flux = trilinear(scene_.light->lightDirection, scene_.light->lattice, x);
+    return field_.sigmaS(x) * irradiance * f64::phaseOfFlux(direction, flux, field_.anisotropy(x));
+}
+
+/// A piece of length ds through constants taken at x.
+void Walk::meetMatter(const glm::dvec3& x, const glm::dvec3& direction, double ds) {
+    const glm::dvec3 tau = (field_.sigmaA(x) + field_.sigmaS(x)) * ds;
+    const glm::dvec3 source = scattered(x, direction) + field_.emission(x);
+    basic_ += left() * source * f64::meanTransmittance3(tau) * (ds / (n_ * n_));
+    transmittance_ *= glm::exp(-tau);
+    depth_ += tau;
+    length_ += ds;
+    opticalLength_ += n_ * ds;
+}
+
+/// Where a straight piece that ends in opaque matter meets it.
+glm::dvec3 Walk::firstSolid(glm::dvec3 free, glm::dvec3 inside) const {
+    for (int i = 0; i < 50; ++i) {
+        const glm::dvec3 middle = 0.5 * (free + inside);
+        (solid(middle) ? inside : free) = middle;
+    }
+    return inside;
+}
+
+/// Half a step straight on, the turn, half a step straight on; the last step ends at the face. False where the ray ends.
+bool Walk::step() {
+    const glm::dvec3 start = ray_.x;
+    const double ds = std::min(step_, toFace());
+    ray_ = f64::driftByLength(ray_, 0.5 * ds);
+    glm::dvec3 middle = ray_.x;
+    const Optics optics = field_.optics(middle);
+    const glm::dvec3 w = f64::kickByLength(ray_, optics.gradN, 0.5 * ds).w;
+    ray_ = f64::kickByLength(ray_, optics.gradN, ds);
+    meetBoundary(w, optics, field_.inBand(middle));
+    n_ = optics.n;
+    const double face = toFace();
+    const bool leaves = face <= (ds < step_ ? ds : 0.5 * ds);
+    ray_ = f64::driftByLength(ray_, leaves ? face : 0.5 * ds);
+    const bool hit = solid(ray_.x);
+    if (hit && solid(middle)) {
+        ray_.x = firstSolid(start, middle);
+        middle = 0.5 * (start + ray_.x);
+    } else if (hit) {
+        ray_.x = firstSolid(middle, ray_.x);
+    }
+    meetMatter(middle, glm::normalize(w), glm::length(middle - start) + glm::length(ray_.x - middle));
+    return !hit && !leaves;
+}
+
+/// Outward normal from the coverage a voxel around; on a cut face of the matter, where that is flat, towards the eye.
+glm::dvec3 normalOf(const GridField& field, const glm::dvec3& x, const glm::dvec3& direction) {
+    glm::dvec3 gradient(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 offset(0.0);
+        offset[axis] = field.lattice().voxel;
+        gradient[axis] = field.coverage(x + offset) - field.coverage(x - offset);
+    }
+    const double magnitude = glm::length(gradient);
+    return magnitude > 1e-4 ? -gradient / magnitude : -direction;
+}
+
+/// A diffuse surface under the baked light a voxel off it and under the environment.
+glm::dvec3 Walk::surfaceRadiance(const glm::dvec3& x, const glm::dvec3& direction) const {
+    const glm::dvec3 normal = normalOf(field_, x, direction);
+    glm::dvec3 received = scene_.ambient(normal);
+    if (scene_.light) {
+        const glm::dvec3 above = x + normal * scene_.light->lattice.voxel;
+        const glm::dvec3 flux = trilinear(scene_.light->lightDirection, scene_.light->lattice, above);
+        received += trilinear(scene_.light->irradiance, scene_.light->lattice, above) *
+                    (std::max(-glm::dot(flux, normal), 0.0) / std::numbers::pi);
+    }
+    return field_.albedo(x - 0.5 * normal * field_.lattice().voxel) * received;
+}
+
+ImageRay Walk::from(const glm::dvec3& origin, const glm::dvec3& towards) {
+    if (!enter(origin, towards))
+        return {.radiance = scene_.background(towards), .position = origin, .direction = towards};
+    bool goesOn = !solid(ray_.x);
+    while (goesOn && length_ < maxLength_) {
+        goesOn = step();
+    }
+    const bool stopped = solid(ray_.x);
+    const glm::dvec3 behind = stopped ? surfaceRadiance(ray_.x, direction()) / (n_ * n_) : scene_.background(direction());
+    const RayEnd end = stopped ? RayEnd::kHitOpaque : goesOn ? RayEnd::kTooLong : RayEnd::kExited;
+    return {nCamera_ * nCamera_ * (basic_ + left() * behind), ray_.x, direction(), depth_, left(), opticalLength_, end};
+}
+
+} // namespace
+
+ImageRay followRay(const ImageScene& scene, const glm::dvec3& origin, const glm::dvec3& direction,
+                   const ImageOptions& options) {
+    return Walk(scene, options).from(origin, glm::normalize(direction));
+}
+
+RadianceOf ambientOf(const RadianceOf& background) {
+    constexpr int kRings = 256, kSectors = 512;
+    std::array<glm::dvec3, 6> means{};
+    for (std::size_t face = 0; face < 6; ++face) {
+        const int axis = int(face) / 2;
+        for (int ring = 0; ring < kRings; ++ring) {
+            // rings of equal cosine-weighted solid angle
+            const double sine = std::sqrt((ring + 0.5) / kRings);
+            for (int sector = 0; sector < kSectors; ++sector) {
+                const double angle = 2.0 * std::numbers::pi * (sector + 0.5) / kSectors;
+                glm::dvec3 direction(0.0);
+                direction[axis] = (face % 2 == 0 ? 1.0 : -1.0) * std::sqrt(1.0 - sine * sine);
+                direction[(axis + 1) % 3] = sine * std::cos(angle);
+                direction[(axis + 2) % 3] = sine * std::sin(angle);
+                means[face] += background(direction) / double(kRings * kSectors);
+            }
+        }
+    }
+    return [means](const glm::dvec3& normal) {
+        glm::dvec3 sum(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            sum += normal[axis] * normal[axis] * means[std::size_t(2 * axis + (normal[axis] >= 0.0 ? 0 : 1))];
+        }
+        return sum;
+    };
+}
+
+} // namespace eikonal::reference

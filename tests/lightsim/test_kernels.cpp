@@ -1,0 +1,29 @@
+// Every variant of every kernel of the bake compiles, and the validator of the shading language agrees.
+#include "tests/support/kernel_variants.h"
+
+#include <gtest/gtest.h>
+
+namespace eikonal {
+namespace {
+
+using test::KernelVariant;
+
+std::vector<KernelVariant> variants() {
+    std::vector<KernelVariant> rows = {{"lightsim/schedule.comp.glsl", {"BANDS 3"}},
+                                       {"lightsim/schedule.comp.glsl", {"BANDS 3", "SCHEDULE_EMIT"}}};
+    for (const auto& subset : test::tellingSubsets({"EFFECT_REFRACTION", "EFFECT_ABSORPTION", "EFFECT_SCATTERING",
+                                                    "EFFECT_REFLECTION", "EFFECT_OPAQUE", "MANUAL_FILTERING"})) {
+        for (const char* kernel : {"emit", "propagate", "refine", "retire", "split", "deposit"}) {
+            rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {"BANDS 3"}));
+        }
+        rows.push_back(test::variant("lightsim/deposit.comp.glsl", subset, {"BANDS 1"}));  // the others know no bands
+    }
+    return rows;
+}
+
+TEST(BakeKernels, CompileInEveryVariant) { test::expectVariantsCompile(variants()); }
+
+TEST(BakeKernels, SatisfyTheValidatorInEveryVariant) { test::expectValidatorAgrees(variants()); }
+
+} // namespace
+} // namespace eikonal

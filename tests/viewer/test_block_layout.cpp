@@ -1,0 +1,82 @@
+// Both languages lay out the structs that the viewer's stages share alike.
+#include "shaders/shared/domain_block.h"
+#include "shaders/shared/view_blocks.h"
+#include "tests/support/block_layout.h"
+#include "tests/support/synthetic_fields.h"
+
+namespace eikonal {
+namespace {
+
+test::Members rayStateMembers() {
+    return {
+        EIKONAL_MEMBER(gpu::RayState, x), EIKONAL_MEMBER(gpu::RayState, pathLength), EIKONAL_MEMBER(gpu::RayState, w),
+        EIKONAL_MEMBER(gpu::RayState, opticalLength), EIKONAL_MEMBER(gpu::RayState, depth),
+        EIKONAL_MEMBER(gpu::RayState, evaluations), EIKONAL_MEMBER(gpu::RayState, transmittance),
+        EIKONAL_MEMBER(gpu::RayState, status), EIKONAL_MEMBER(gpu::RayState, radiance),
+        EIKONAL_MEMBER(gpu::RayState, throughputS), EIKONAL_MEMBER(gpu::RayState, crossingNormal),
+        EIKONAL_MEMBER(gpu::RayState, throughputP), EIKONAL_MEMBER(gpu::RayState, crossingGradMax),
+        EIKONAL_MEMBER(gpu::RayState, crossingStart), EIKONAL_MEMBER(gpu::RayState, crossingWTangential),
+        EIKONAL_MEMBER(gpu::RayState, crossingSide), EIKONAL_MEMBER(gpu::RayState, n),
+        EIKONAL_MEMBER(gpu::RayState, nCamera), EIKONAL_MEMBER(gpu::RayState, entryDistance),
+        EIKONAL_MEMBER(gpu::RayState, pad)
+    };
+}
+
+test::Members viewBlockMembers() {
+    return {
+        EIKONAL_MEMBER(gpu::ViewBlock, cameraPosition), EIKONAL_MEMBER(gpu::ViewBlock, stepLength),
+        EIKONAL_MEMBER(gpu::ViewBlock, cameraRight), EIKONAL_MEMBER(gpu::ViewBlock, minThroughput),
+        EIKONAL_MEMBER(gpu::ViewBlock, cameraUp), EIKONAL_MEMBER(gpu::ViewBlock, environmentAngle),
+        EIKONAL_MEMBER(gpu::ViewBlock, cameraForward), EIKONAL_MEMBER(gpu::ViewBlock, environmentScale),
+        EIKONAL_MEMBER(gpu::ViewBlock, horizon), EIKONAL_MEMBER(gpu::ViewBlock, rayCount),
+        EIKONAL_MEMBER(gpu::ViewBlock, zenith), EIKONAL_MEMBER(gpu::ViewBlock, stepsPerSlice),
+        EIKONAL_MEMBER(gpu::ViewBlock, lightMin), EIKONAL_MEMBER(gpu::ViewBlock, maxEvaluations),
+        EIKONAL_MEMBER(gpu::ViewBlock, lightScale), EIKONAL_MEMBER(gpu::ViewBlock, opaqueOffset),
+        EIKONAL_MEMBER(gpu::ViewBlock, imageSize), EIKONAL_MEMBER(gpu::ViewBlock, tileOrigin),
+        EIKONAL_MEMBER(gpu::ViewBlock, tileSize), EIKONAL_MEMBER(gpu::ViewBlock, subPixel),
+        EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, sampleIndex),
+        EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, viewPad),
+        {"ambient[0]", offsetof(gpu::ViewBlock, ambient)},
+    };
+}
+
+test::Members domainBlockMembers() {
+    return {
+        EIKONAL_MEMBER(gpu::DomainBlock, domainMin), EIKONAL_MEMBER(gpu::DomainBlock, domainVoxel),
+        EIKONAL_MEMBER(gpu::DomainBlock, domainMax), EIKONAL_MEMBER(gpu::DomainBlock, domainIor),
+        EIKONAL_MEMBER(gpu::DomainBlock, domainScale), EIKONAL_MEMBER(gpu::DomainBlock, domainPad0),
+        EIKONAL_MEMBER(gpu::DomainBlock, domainSize), EIKONAL_MEMBER(gpu::DomainBlock, domainPad1)
+    };
+}
+
+test::Members filmPixelMembers() {
+    return {
+        EIKONAL_MEMBER(gpu::FilmPixel, radiance), EIKONAL_MEMBER(gpu::FilmPixel, steps),
+        EIKONAL_MEMBER(gpu::FilmPixel, exitDirection), EIKONAL_MEMBER(gpu::FilmPixel, entryDistance),
+        EIKONAL_MEMBER(gpu::FilmPixel, depth), EIKONAL_MEMBER(gpu::FilmPixel, opticalLength),
+        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, pad)
+    };
+}
+
+TEST(BlockLayout, OfTheMarchIsTheCompilers) {
+    const gpu::Kernel march(test::sharedContext(), "viewer/march.comp.glsl", {"EFFECT_ABSORPTION", "SAMPLES_PER_HALF 0"});
+    const auto rays = test::storageBlockLayout(march, "Rays");
+    EXPECT_EQ(rays.members, test::prefixed("rays[0].", rayStateMembers()));
+    EXPECT_EQ(rays.stride, sizeof(gpu::RayState));
+    const auto view = test::uniformBlockLayout(march, "ViewBlock");
+    EXPECT_EQ(view.members, viewBlockMembers());
+    EXPECT_EQ(view.bytes, sizeof(gpu::ViewBlock));
+    const auto domain = test::uniformBlockLayout(march, "DomainBlock");
+    EXPECT_EQ(domain.members, domainBlockMembers());
+    EXPECT_EQ(domain.bytes, sizeof(gpu::DomainBlock));
+}
+
+TEST(BlockLayout, OfTheFilmIsTheCompilers) {
+    const gpu::Kernel accumulate(test::sharedContext(), "viewer/accumulate.comp.glsl", {});
+    const auto film = test::storageBlockLayout(accumulate, "Film");
+    EXPECT_EQ(film.members, test::prefixed("film[0].", filmPixelMembers()));
+    EXPECT_EQ(film.stride, sizeof(gpu::FilmPixel));
+}
+
+} // namespace
+} // namespace eikonal

@@ -1,0 +1,246 @@
+// Images against the reference in double precision: at the kernels' step, where rounding alone is between them, and at a
+// much finer one.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "common/physics.h"
+#include "common/reference/image_reference.h"
+#include "tests/support/synthetic_fields.h"
+#include "viewer/render.h"
+
+namespace eikonal {
+namespace {
+
+using reference::ImageRay;
+
+constexpr int kSize = 24;           // of the images [pixels]
+constexpr int kVoxels = 48;         // of the fields, along an edge
+constexpr double kDistance = 4.0;   // of the camera from the middle
+constexpr double kFov = 30.0;       // the domain fills it nearly
+
+struct Setting {
+    Fields fields;
+    Scene scene = test::plainScene(glm::dvec3(1.0), kDistance, kFov, kSize);  ///< its camera looks along -z
+    BakedLight light;
+};
+
+/// Irradiance and direction that vary smoothly, on a lattice of their own: half as fine as the fields'.
+BakedLight smoothLight() {
+    const Lattice lattice = test::cube(kVoxels / 2, 1.0);
+    BakedLight light{lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        const glm::dvec3 x = lattice.worldFromIndex(v);
+        light.irradiance.at(v) =
+            glm::vec3(2.0 + x.x, 1.5 + std::sin(2.0 * x.y), 1.0 + 0.5 * std::cos(3.0 * x.z + x.x));
+        const double directed = 0.6 + 0.3 * x.y;  // several arrivals in places: |F| < E
+        light.lightDirection.at(v) = glm::vec3(directed * glm::normalize(glm::dvec3(0.3 + x.z, -1.0, 0.4 * x.x)));
+    });
+    return light;
+}
+
+double insideSphere(const Lattice& lattice, const glm::ivec3& v, double radius) {
+    return glm::clamp(0.5 - (glm::length(lattice.worldFromIndex(v)) - radius) / lattice.voxel, 0.0, 1.0);
+}
+
+/// Coloured, glowing glass in smoke that scatters forwards: every effect but opaque matter.
+Setting glassInSmoke() {
+    const Lattice lattice = test::cube(kVoxels, 1.0);
+    Setting setting{.fields = test::sphereFields(lattice, 0.6, 1.5, 1.5 * lattice.voxel), .light = smoothLight()};
+    Fields& fields = setting.fields;
+    fields.sigmaA = fields.sigmaS = fields.emission = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.0f));
+    fields.anisotropy = DenseGrid<float>(lattice.size, 0.0f);
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        const float inside = float(insideSphere(lattice, v, 0.6));
+        const double height = lattice.worldFromIndex(v).y;
+        fields.sigmaA.at(v) = inside * glm::vec3(0.1f, 0.8f, 1.6f);
+        fields.sigmaS.at(v) = (1.0f - inside) * glm::vec3(0.5f, 0.4f, 0.3f) * float(1.0 + 0.5 * height);
+        fields.anisotropy.at(v) = float(0.5 + 0.2 * height);
+        fields.emission.at(v) = float(insideSphere(lattice, v, 0.3)) * glm::vec3(0.8f, 0.5f, 0.1f);
+    });
+    setting.scene.environment.gradient = {glm::dvec3(0.9, 0.6, 0.3), glm::dvec3(0.1, 0.3, 0.8)};
+    setting.scene.environment.intensity = 1.2;
+    return setting;
+}
+
+/// A box of opaque matter, its edges along no axis of the voxels, in smoke.
+Setting boxInSmoke() {
+    Setting setting = glassInSmoke();
+    Fields& fields = setting.fields;
+    const Lattice lattice = fields.lattice;
+    fields.ior = {};
+    fields.iorGradient = {};
+    fields.interface = {};
+    fields.emission = {};
+    fields.opaque = DenseGrid<float>(lattice.size, 0.0f);
+    fields.albedo = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.0f));
+    const glm::dmat3 axes(glm::normalize(glm::dvec3(3.0, 1.0, 1.0)), glm::normalize(glm::dvec3(-1.0, 3.0, 0.0)),
+                          glm::normalize(glm::cross(glm::dvec3(3.0, 1.0, 1.0), glm::dvec3(-1.0, 3.0, 0.0))));
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        const glm::dvec3 x = lattice.worldFromIndex(v);
+        const glm::dvec3 beyond = glm::abs(x * axes) - glm::dvec3(0.5, 0.4, 0.3);
+        const double distance = std::max({beyond.x, beyond.y, beyond.z});
+        fields.opaque.at(v) = float(glm::clamp(0.5 - distance / lattice.voxel, 0.0, 1.0));
+        fields.albedo.at(v) = glm::vec3(0.8, 0.5 + 0.3 * x.x, 0.3);
+    });
+    return setting;
+}
+
+/// The setting with the grids of these effects alone.
+Setting only(Setting setting, const std::set<Effect>& effects) {
+    Fields& fields = setting.fields;
+    if (!effects.contains(Effect::kRefraction)) fields.ior = {}, fields.iorGradient = {};
+    if (!effects.contains(Effect::kReflection)) fields.interface = {};
+    if (!effects.contains(Effect::kAbsorption)) fields.sigmaA = {};
+    if (!effects.contains(Effect::kScattering)) fields.sigmaS = {}, fields.anisotropy = {};
+    if (!effects.contains(Effect::kEmission)) fields.emission = {};
+    if (!effects.contains(Effect::kOpaque)) fields.opaque = {}, fields.albedo = {};
+    return setting;
+}
+
+std::vector<glm::dvec3> rendered(const Setting& setting) {
+    const RenderResult image = renderScene(test::sharedContext(), setting.scene, setting.fields,
+                                           test::effectsOf(setting.scene, setting.fields), &setting.light);
+    std::vector<glm::dvec3> radiance;
+    for (int i = 0; i < kSize * kSize; ++i) radiance.emplace_back(image.radiance(i % kSize, i / kSize));
+    return radiance;
+}
+
+/// The image by the reference, of every `stride`-th pixel each way, every ray's origin shifted.
+std::vector<ImageRay> truth(const Setting& setting, double stepVoxels, int stride = 1,
+                            const glm::dvec3& shift = glm::dvec3(0.0)) {
+    const Environment& around = setting.scene.environment;
+    const auto background = [&](const glm::dvec3& direction) {
+        return f64::gradientRadiance(direction, around.gradient[0], around.gradient[1]) * around.intensity;
+    };
+    const reference::ImageScene scene{setting.fields, &setting.light, background,
+                                      setting.fields.opaque.empty() ? background : reference::ambientOf(background)};
+    const double half = std::tan(glm::radians(setting.scene.camera.fov) / 2.0);
+    std::vector<ImageRay> image;
+    for (int y = 0; y < kSize; y += stride) {
+        for (int x = 0; x < kSize; x += stride) {
+            const glm::dvec2 screen = 2.0 * (glm::dvec2(x, y) + 0.5) / double(kSize) - 1.0;
+            image.push_back(reference::followRay(scene, setting.scene.camera.position + shift,
+                                                 {screen.x * half, -screen.y * half, -1.0}, {.stepVoxels = stepVoxels}));
+        }
+    }
+    return image;
+}
+
+/// Every pixel within a tolerance of the reference at the same step, but for rays that the reference itself sees
+/// differently by more than that when they start a millionth aside: single precision cannot tell those apart. They are few.
+void expectAgreement(Setting setting, double tolerance) {
+    setting.scene.accuracy.stepVoxels = 1.0;
+    const auto image = rendered(setting);
+    const auto exact = truth(setting, 1.0);
+    const auto right = truth(setting, 1.0, 1, {1e-6, 0.0, 0.0});
+    const auto above = truth(setting, 1.0, 1, {0.0, 1e-6, 0.0});
+    int unsteady = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const glm::dvec3 radiance = exact[i].radiance;
+        if (std::max(glm::length(right[i].radiance - radiance), glm::length(above[i].radiance - radiance)) > tolerance) {
+            ++unsteady;
+            continue;
+        }
+        EXPECT_LE(glm::length(image[i] - radiance), tolerance) << "pixel " << i % kSize << ", " << i / kSize;
+    }
+    EXPECT_LE(unsteady, kSize * kSize / 50);
+}
+
+// Radiances are of the order of 1 and their roundings, of 6e-8, add up along some hundred steps.
+constexpr double kRounding = 2e-5;
+// The kernel finds a surface to 2^-12 of a step; over that way light, normal and albedo change by as much as this.
+constexpr double kRoundingAtSurfaces = 1e-4;
+
+TEST(ImageReference, AgreesOnGlassInSmokeWithEveryEffect) { expectAgreement(glassInSmoke(), kRounding); }
+
+TEST(ImageReference, AgreesOnEachEffectAlone) {
+    using enum Effect;
+    for (const std::set<Effect>& effects : {std::set{kRefraction}, std::set{kRefraction, kReflection},
+                                            std::set{kAbsorption}, std::set{kScattering}, std::set{kEmission}}) {
+        SCOPED_TRACE(effectName(*effects.rbegin()));
+        expectAgreement(only(glassInSmoke(), effects), kRounding);
+    }
+}
+
+TEST(ImageReference, AgreesOnOpaqueMatterInSmokeAndAlone) {
+    expectAgreement(boxInSmoke(), kRoundingAtSurfaces);
+    expectAgreement(only(boxInSmoke(), {Effect::kOpaque}), kRoundingAtSurfaces);
+}
+
+TEST(ImageReference, AgreesWithACameraInsideGlass) {
+    Setting setting = glassInSmoke();
+    setting.scene.camera.position = {0.1, 0.05, 0.3};
+    setting.scene.camera.lookAt = {0.1, 0.05, 0.0};
+    expectAgreement(setting, kRounding);
+}
+
+/// Differences of the radiance from the truth as shares of its mean, in ascending order.
+std::vector<double> relativeErrors(const std::vector<glm::dvec3>& image, const std::vector<ImageRay>& exact) {
+    double mean = 0.0;
+    for (const ImageRay& ray : exact) mean += glm::length(ray.radiance) / double(exact.size());
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < image.size(); ++i) errors.push_back(glm::length(image[i] - exact[i].radiance) / mean);
+    std::sort(errors.begin(), errors.end());
+    return errors;
+}
+
+double rms(const std::vector<double>& errors) {
+    double sum = 0.0;
+    for (const double error : errors) sum += error * error;
+    return std::sqrt(sum / double(errors.size()));
+}
+
+TEST(ImageReference, TheViewersOwnStepIsEnough) {
+    const Setting glass = glassInSmoke(), box = boxInSmoke();
+    const auto ofGlass = relativeErrors(rendered(glass), truth(glass, 0.1));
+    // Steps of nearly a voxel sample a band of a few: near the sphere's rim, where reflectance rises steeply with the
+    // angle, its normal is some degrees off.
+    EXPECT_LE(rms(ofGlass), glass.scene.accuracy.tolerance);
+    EXPECT_LE(ofGlass[ofGlass.size() * 19 / 20], 0.01);
+    // Straight rays: the midpoint rule for smooth matter, and a surface that is found whatever the step.
+    EXPECT_LE(rms(relativeErrors(rendered(box), truth(box, 0.1))), 3e-4);
+    RecordProperty("rms", std::to_string(rms(ofGlass)));
+}
+
+struct StepErrors {
+    double radiance = 0.0, direction = 0.0;  ///< mean and root mean square over the image
+};
+
+/// Errors of the reference by its step, for steps of 1, 1/2, ..., 1/16 voxel, against one of 1/64.
+std::vector<StepErrors> errorsByStep(const Setting& setting) {
+    const int stride = 2;
+    const auto exact = truth(setting, 1.0 / 64.0, stride);
+    std::vector<StepErrors> rows;
+    for (int halvings = 0; halvings <= 4; ++halvings) {
+        const auto image = truth(setting, std::exp2(-halvings), stride);
+        StepErrors sum;
+        for (std::size_t i = 0; i < image.size(); ++i) {
+            const glm::dvec3 turned = image[i].direction - exact[i].direction;
+            sum.radiance += glm::length(image[i].radiance - exact[i].radiance) / double(image.size());
+            sum.direction += glm::dot(turned, turned) / double(image.size());
+        }
+        rows.push_back({sum.radiance, std::sqrt(sum.direction)});
+    }
+    return rows;
+}
+
+/// Mean order of convergence over the halvings.
+double orderOf(double atFirst, double atLast) { return std::log2(atFirst / atLast) / 4.0; }
+
+TEST(ImageReference, ConvergesAsItsStepsDo) {
+    // Rays that reach no farther out than three quarters of the radius: those at the rim graze the boundary at one step and
+    // cross it at the next, and have no order.
+    Setting middle = glassInSmoke();
+    middle.scene.camera.fov = glm::degrees(2.0 * std::atan(0.32 / kDistance));
+    const auto glass = errorsByStep(middle);
+    // Leapfrog and the midpoint rule are of second order, but for the first halvings: trilinear fields have a kink at every
+    // voxel. A Fresnel term falls on a sample: first order.
+    EXPECT_GE(orderOf(glass.front().direction, glass.back().direction), 1.5);
+    EXPECT_GE(orderOf(glass.front().radiance, glass.back().radiance), 0.9);
+    const auto smoke = errorsByStep(only(glassInSmoke(), {Effect::kAbsorption, Effect::kScattering, Effect::kEmission}));
+    EXPECT_GE(orderOf(smoke.front().radiance, smoke.back().radiance), 1.5);
+}
+
+} // namespace
+} // namespace eikonal
