@@ -9,19 +9,11 @@ namespace eikonal::gpu {
 
 namespace {
 
-std::string shaderLog(GLuint shader) {
+std::string logOf(GLuint name, PFNGLGETSHADERIVPROC get, PFNGLGETSHADERINFOLOGPROC getLog) {
     GLint length = 0;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    get(name, GL_INFO_LOG_LENGTH, &length);
     std::string log(std::size_t(length), '\0');
-    glGetShaderInfoLog(shader, length, nullptr, log.data());
-    return log;
-}
-
-std::string programLog(GLuint program) {
-    GLint length = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    std::string log(std::size_t(length), '\0');
-    glGetProgramInfoLog(program, length, nullptr, log.data());
+    getLog(name, length, nullptr, log.data());
     return log;
 }
 
@@ -34,7 +26,7 @@ GLuint compiledShader(std::string_view name, const std::string& source) {
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_TRUE) return shader;
-    const std::string log = shaderLog(shader);
+    const std::string log = logOf(shader, glGetShaderiv, glGetShaderInfoLog);
     glDeleteShader(shader);
     throw std::logic_error("kernel " + std::string(name) + " does not compile: " + log);
 }
@@ -51,7 +43,7 @@ Kernel::Kernel(const Context&, std::string_view shaderName, const std::vector<st
     GLint linked = GL_FALSE;
     glGetProgramiv(name_, GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
-        const std::string log = programLog(name_);
+        const std::string log = logOf(name_, glGetProgramiv, glGetProgramInfoLog);
         glDeleteProgram(name_);
         throw std::logic_error("kernel " + std::string(shaderName) + " does not link: " + log);
     }

@@ -51,13 +51,17 @@ private:
 
 enum class TexelFormat { kR8, kRgba32f, kR32f };
 
-/// A 3D texture with one level, linear filtering and clamped edges. Throws badInput if the size is beyond the device.
-class Texture3D {
+/// A texture with one level and linear filtering. Volumes are clamped at their faces; images repeat along u and are clamped
+/// along v (latitude-longitude maps). Throws badInput if the size is beyond the device.
+template <int kDimensions>
+class Texture {
 public:
-    Texture3D(const Context& context, TexelFormat format, const glm::ivec3& size, std::string_view label);
-    Texture3D(Texture3D&& other) noexcept;
-    Texture3D& operator=(Texture3D&& other) noexcept;
-    ~Texture3D();
+    using Size = glm::vec<kDimensions, int>;
+
+    Texture(const Context& context, TexelFormat format, const Size& size, std::string_view label);
+    Texture(Texture&& other) noexcept;
+    Texture& operator=(Texture&& other) noexcept;
+    ~Texture();
 
     /// Tightly packed texels of the texture's own format (R8: bytes, others: floats), x fastest.
     void upload(const void* texels);
@@ -69,30 +73,12 @@ public:
 private:
     GLuint name_ = 0;
     TexelFormat format_{};
-    glm::ivec3 size_{0};
+    Size size_{0};
     std::string label_;
 };
 
-/// A 2D texture with one level, linear filtering; repeats along u, clamps along v (latitude-longitude maps).
-class Texture2D {
-public:
-    Texture2D(const Context& context, TexelFormat format, const glm::ivec2& size, std::string_view label);
-    Texture2D(Texture2D&& other) noexcept;
-    Texture2D& operator=(Texture2D&& other) noexcept;
-    ~Texture2D();
-
-    void upload(const void* texels);
-    void bind(GLuint unit) const;
-    GLuint name() const { return name_; }
-    std::size_t bytes() const;
-    const std::string& label() const { return label_; }
-
-private:
-    GLuint name_ = 0;
-    TexelFormat format_{};
-    glm::ivec2 size_{0};
-    std::string label_;
-};
+using Texture2D = Texture<2>;
+using Texture3D = Texture<3>;
 
 /// A compute kernel compiled from shaders/ with a set of #defines. A compile error is a broken program: std::logic_error
 /// with the log.

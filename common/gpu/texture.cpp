@@ -1,6 +1,6 @@
 #include "common/gpu/objects.h"
 
-#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "common/error.h"
@@ -31,36 +31,48 @@ void setLinearSampling(GLuint texture, GLint wrapU) {
     glTextureParameteri(texture, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
 }
 
-int max2dSize() {
+int largestSize(const Context& context, int dimensions) {
+    if (dimensions == 3) return context.limits().maxTexture3dSize;
     GLint size = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
     return size;
 }
 
-Error tooLarge(std::string_view label, const std::string& found, int limit) {
-    return badInput("texture '" + std::string(label) + "' of " + found + " texels: the device allows at most " +
-                    std::to_string(limit) + " along a side");
+template <int kDimensions>
+void requireSize(const Context& context, const glm::vec<kDimensions, int>& size, std::string_view label) {
+    const int limit = largestSize(context, kDimensions);
+    if (glm::all(glm::lessThanEqual(size, glm::vec<kDimensions, int>(limit)))) return;
+    std::string found;
+    for (int axis = 0; axis < kDimensions; ++axis) found += (axis > 0 ? " x " : "") + std::to_string(size[axis]);
+    throw badInput("texture '" + std::string(label) + "' of " + found + " texels: the device allows at most " +
+                   std::to_string(limit) + " along a side");
 }
 
 } // namespace
 
-Texture3D::Texture3D(const Context& context, TexelFormat format, const glm::ivec3& size, std::string_view label)
+template <int kDimensions>
+Texture<kDimensions>::Texture(const Context& context, TexelFormat format, const Size& size, std::string_view label)
     : format_(format), size_(size), label_(label) {
-    const int limit = context.limits().maxTexture3dSize;
-    if (std::max({size.x, size.y, size.z}) > limit) {
-        throw tooLarge(label, std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z),
-                       limit);
+    requireSize<kDimensions>(context, size, label);
+    const GLenum internal = traitsOf(format).internal;
+    if constexpr (kDimensions == 3) {
+        glCreateTextures(GL_TEXTURE_3D, 1, &name_);
+        glTextureStorage3D(name_, 1, internal, size.x, size.y, size.z);
+        setLinearSampling(name_, GL_CLAMP_TO_EDGE);
+    } else {
+        glCreateTextures(GL_TEXTURE_2D, 1, &name_);
+        glTextureStorage2D(name_, 1, internal, size.x, size.y);
+        setLinearSampling(name_, GL_REPEAT);
     }
-    glCreateTextures(GL_TEXTURE_3D, 1, &name_);
-    glTextureStorage3D(name_, 1, traitsOf(format).internal, size.x, size.y, size.z);
-    setLinearSampling(name_, GL_CLAMP_TO_EDGE);
     glObjectLabel(GL_TEXTURE, name_, GLsizei(label_.size()), label_.data());
 }
 
-Texture3D::Texture3D(Texture3D&& other) noexcept
+template <int kDimensions>
+Texture<kDimensions>::Texture(Texture&& other) noexcept
     : name_(std::exchange(other.name_, 0)), format_(other.format_), size_(other.size_), label_(std::move(other.label_)) {}
 
-Texture3D& Texture3D::operator=(Texture3D&& other) noexcept {
+template <int kDimensions>
+Texture<kDimensions>& Texture<kDimensions>::operator=(Texture&& other) noexcept {
     std::swap(name_, other.name_);
     std::swap(format_, other.format_);
     std::swap(size_, other.size_);
@@ -68,58 +80,35 @@ Texture3D& Texture3D::operator=(Texture3D&& other) noexcept {
     return *this;
 }
 
-Texture3D::~Texture3D() {
+template <int kDimensions>
+Texture<kDimensions>::~Texture() {
     if (name_) glDeleteTextures(1, &name_);
 }
 
-void Texture3D::upload(const void* texels) {
+template <int kDimensions>
+void Texture<kDimensions>::upload(const void* texels) {
     const FormatTraits traits = traitsOf(format_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage3D(name_, 0, 0, 0, 0, size_.x, size_.y, size_.z, traits.external, traits.type, texels);
-}
-
-void Texture3D::bind(GLuint unit) const { glBindTextureUnit(unit, name_); }
-
-std::size_t Texture3D::bytes() const {
-    return std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z) * traitsOf(format_).texelBytes;
-}
-
-Texture2D::Texture2D(const Context&, TexelFormat format, const glm::ivec2& size, std::string_view label)
-    : format_(format), size_(size), label_(label) {
-    if (const int limit = max2dSize(); std::max(size.x, size.y) > limit) {
-        throw tooLarge(label, std::to_string(size.x) + " x " + std::to_string(size.y), limit);
+    if constexpr (kDimensions == 3) {
+        glTextureSubImage3D(name_, 0, 0, 0, 0, size_.x, size_.y, size_.z, traits.external, traits.type, texels);
+    } else {
+        glTextureSubImage2D(name_, 0, 0, 0, size_.x, size_.y, traits.external, traits.type, texels);
     }
-    glCreateTextures(GL_TEXTURE_2D, 1, &name_);
-    glTextureStorage2D(name_, 1, traitsOf(format).internal, size.x, size.y);
-    setLinearSampling(name_, GL_REPEAT);
-    glObjectLabel(GL_TEXTURE, name_, GLsizei(label_.size()), label_.data());
 }
 
-Texture2D::Texture2D(Texture2D&& other) noexcept
-    : name_(std::exchange(other.name_, 0)), format_(other.format_), size_(other.size_), label_(std::move(other.label_)) {}
-
-Texture2D& Texture2D::operator=(Texture2D&& other) noexcept {
-    std::swap(name_, other.name_);
-    std::swap(format_, other.format_);
-    std::swap(size_, other.size_);
-    std::swap(label_, other.label_);
-    return *this;
+template <int kDimensions>
+void Texture<kDimensions>::bind(GLuint unit) const {
+    glBindTextureUnit(unit, name_);
 }
 
-Texture2D::~Texture2D() {
-    if (name_) glDeleteTextures(1, &name_);
+template <int kDimensions>
+std::size_t Texture<kDimensions>::bytes() const {
+    std::size_t bytes = traitsOf(format_).texelBytes;
+    for (int axis = 0; axis < kDimensions; ++axis) bytes *= std::size_t(size_[axis]);
+    return bytes;
 }
 
-void Texture2D::upload(const void* texels) {
-    const FormatTraits traits = traitsOf(format_);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTextureSubImage2D(name_, 0, 0, 0, size_.x, size_.y, traits.external, traits.type, texels);
-}
-
-void Texture2D::bind(GLuint unit) const { glBindTextureUnit(unit, name_); }
-
-std::size_t Texture2D::bytes() const {
-    return std::size_t(size_.x) * std::size_t(size_.y) * traitsOf(format_).texelBytes;
-}
+template class Texture<2>;
+template class Texture<3>;
 
 } // namespace eikonal::gpu

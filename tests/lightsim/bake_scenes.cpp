@@ -20,8 +20,7 @@ Fields absorbingSphereInSmoke(int resolution) {
     fields.sigmaS = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.0f));
     fields.anisotropy = DenseGrid<float>(lattice.size, 0.0f);
     forEachVoxel(lattice, [&](const glm::ivec3& v) {
-        const double distance = glm::length(lattice.worldFromIndex(v)) - 0.6;
-        const float coverage = float(glm::clamp(0.5 - distance / lattice.voxel, 0.0, 1.0));
+        const float coverage = float(sphereCoverage(lattice, v, 0.6));
         fields.sigmaA.at(v) = coverage * glm::vec3(0.1f, 0.8f, 0.9f);
         fields.sigmaS.at(v) = glm::vec3(0.4f * (1.0f - coverage));
     });

@@ -73,15 +73,9 @@ TEST(Beam, LeavesDarknessWithoutLightOrPower) {
 TEST(Beam, IsStoppedByOpaqueMatter) {
     const Lattice lattice = test::cube(32, 1.0);
     Fields fields = test::uniformFields(lattice);
-    fields.opaque = DenseGrid<float>(lattice.size, 0.0f);
+    // voxels 8 to 23 across, 14 to 17 along the beam
+    fields.opaque = test::boxCoverage(lattice, {-0.125, -0.5, -0.5}, {0.125, 0.5, 0.5});
     fields.albedo = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.8f));
-    for (int k = 8; k < 24; ++k) {
-        for (int j = 8; j < 24; ++j) {
-            for (int i = 14; i < 18; ++i) {
-                fields.opaque.at(i, j, k) = 1.0f;
-            }
-        }
-    }
     const BakeResult result = test::bake(test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)}), fields);
     const auto irradiance = [&](int i, int j, int k) { return result.light.irradiance.at(i, j, k).x; };
     EXPECT_NEAR(irradiance(12, 16, 16), 1.0, 0.02);  // no power is lost in front of the wall

@@ -15,23 +15,17 @@ Errors errorsAround(const PointLight& light, const BakedLight& baked, double nea
     double squares = 0.0, sum = 0.0, worstCosine = 1.0;
     int count = 0;
     const Lattice& lattice = baked.lattice;
-    for (int k = 0; k < lattice.size.z; ++k) {
-        for (int j = 0; j < lattice.size.y; ++j) {
-            for (int i = 0; i < lattice.size.x; ++i) {
-                const glm::dvec3 offset = lattice.worldFromIndex({i, j, k}) - light.position;
-                const double r = glm::length(offset);
-                if (r < near || r > far) {
-                    continue;
-                }
-                const double truth = light.power.x / (4.0 * std::numbers::pi * r * r);
-                const double error = baked.irradiance.at(i, j, k).x / truth - 1.0;
-                squares += error * error;
-                sum += error;
-                worstCosine = std::min(worstCosine, glm::dot(glm::dvec3(baked.lightDirection.at(i, j, k)), offset / r));
-                ++count;
-            }
-        }
-    }
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        const glm::dvec3 offset = lattice.worldFromIndex(v) - light.position;
+        const double r = glm::length(offset);
+        if (r < near || r > far) return;
+        const double truth = light.power.x / (4.0 * std::numbers::pi * r * r);
+        const double error = baked.irradiance.at(v).x / truth - 1.0;
+        squares += error * error;
+        sum += error;
+        worstCosine = std::min(worstCosine, glm::dot(glm::dvec3(baked.lightDirection.at(v)), offset / r));
+        ++count;
+    });
     return {std::sqrt(squares / count), sum / count, 1.0 - worstCosine};
 }
 

@@ -22,17 +22,12 @@ glm::dvec3 referencePosition(const reference::GridField& field, const glm::dvec3
     return ray.x;
 }
 
-TEST(Wavefront, CornersFollowTheDoublePrecisionSteps) {
+/// Patches of the first light after kRounds rounds, none of them split.
+std::vector<bake::WavefrontPatch> patchesInside(const Fields& fields, const Scene& scene, const bake::Criteria& criteria,
+                                                const bake::LaunchGrids& grids) {
     const gpu::Context& context = test::sharedContext();
-    const Lattice lattice = test::cube(32, 1.0);
-    const Fields fields = test::sphereFields(lattice, 0.6, 1.5, 1.5 * lattice.voxel);
-    const Scene scene = test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)});
     const GpuFields gpuFields(context, fields, decideEffects(scene, fields));
     gpuFields.bind();
-    bake::Criteria criteria = bake::criteriaOf(scene.accuracy, fields);
-    criteria.maxSide = 0.25;  // four voxels: few patches, none split
-    criteria.splitShare = 1.0;
-    const bake::LaunchGrids grids = bake::launchGrids(scene.lights, lattice, criteria.maxSide, criteria.splitShare);
     const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, {});
     std::vector<std::string> defines = gpuFields.defines();
     defines.push_back("BANDS 1");
@@ -43,7 +38,18 @@ TEST(Wavefront, CornersFollowTheDoublePrecisionSteps) {
         wavefront.propagate();
         wavefront.refine();
     }
-    const std::vector<bake::WavefrontPatch> patches = wavefront.livePatches();
+    return wavefront.livePatches();
+}
+
+TEST(Wavefront, CornersFollowTheDoublePrecisionSteps) {
+    const Lattice lattice = test::cube(32, 1.0);
+    const Fields fields = test::sphereFields(lattice, 0.6, 1.5, 1.5 * lattice.voxel);
+    const Scene scene = test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)});
+    bake::Criteria criteria = bake::criteriaOf(scene.accuracy, fields);
+    criteria.maxSide = 0.25;  // four voxels: few patches, none split
+    criteria.splitShare = 1.0;
+    const bake::LaunchGrids grids = bake::launchGrids(scene.lights, lattice, criteria.maxSide, criteria.splitShare);
+    const std::vector<bake::WavefrontPatch> patches = patchesInside(fields, scene, criteria, grids);
     ASSERT_EQ(patches.size(), 64u);
     const reference::GridField field(fields);
     int compared = 0;

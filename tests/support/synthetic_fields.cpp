@@ -1,5 +1,6 @@
 #include "tests/support/synthetic_fields.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace eikonal::test {
@@ -42,14 +43,27 @@ Fields sphereFields(const Lattice& lattice, double radius, double index, double 
 
 DenseGrid<glm::vec3> boxGrid(const Lattice& lattice, const glm::dvec3& min, const glm::dvec3& max,
                              const glm::vec3& value) {
+    const DenseGrid<float> coverage = boxCoverage(lattice, min, max);
     DenseGrid<glm::vec3> grid(lattice.size, glm::vec3(0.0f));
+    std::transform(coverage.values.begin(), coverage.values.end(), grid.values.begin(),
+                   [&](float share) { return value * share; });
+    return grid;
+}
+
+DenseGrid<float> boxCoverage(const Lattice& lattice, const glm::dvec3& min, const glm::dvec3& max) {
+    DenseGrid<float> grid(lattice.size, 0.0f);
     forEachVoxel(lattice, [&](const glm::ivec3& v) {
         const glm::dvec3 low = lattice.worldFromIndex(v) - 0.5 * lattice.voxel;
         const glm::dvec3 high = low + lattice.voxel;
         const glm::dvec3 overlap = glm::max(glm::min(high, max) - glm::max(low, min), glm::dvec3(0.0)) / lattice.voxel;
-        grid.at(v) = value * float(overlap.x * overlap.y * overlap.z);
+        grid.at(v) = float(overlap.x * overlap.y * overlap.z);
     });
     return grid;
+}
+
+double sphereCoverage(const Lattice& lattice, const glm::ivec3& voxel, double radius) {
+    const double distance = glm::length(lattice.worldFromIndex(voxel)) - radius;
+    return glm::clamp(0.5 - distance / lattice.voxel, 0.0, 1.0);
 }
 
 Scene plainScene(const glm::dvec3& surroundings, double cameraDistance, double fov, int size) {

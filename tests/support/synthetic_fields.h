@@ -38,6 +38,12 @@ Fields sphereFields(const Lattice& lattice, double radius, double index, double 
 DenseGrid<glm::vec3> boxGrid(const Lattice& lattice, const glm::dvec3& min, const glm::dvec3& max,
                              const glm::vec3& value);
 
+/// The share of each voxel that a box covers.
+DenseGrid<float> boxCoverage(const Lattice& lattice, const glm::dvec3& min, const glm::dvec3& max);
+
+/// The share of a voxel that a sphere about the origin covers, as if its surface were flat.
+double sphereCoverage(const Lattice& lattice, const glm::ivec3& voxel, double radius);
+
 /// Scene under one colour, seen by a camera on +Z that looks at the origin; `size` pixels square.
 Scene plainScene(const glm::dvec3& surroundings, double cameraDistance, double fov, int size);
 

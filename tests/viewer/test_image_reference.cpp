@@ -39,10 +39,6 @@ BakedLight smoothLight() {
     return light;
 }
 
-double insideSphere(const Lattice& lattice, const glm::ivec3& v, double radius) {
-    return glm::clamp(0.5 - (glm::length(lattice.worldFromIndex(v)) - radius) / lattice.voxel, 0.0, 1.0);
-}
-
 /// Coloured, glowing glass in smoke that scatters forwards: every effect but opaque matter.
 Setting glassInSmoke() {
     const Lattice lattice = test::cube(kVoxels, 1.0);
@@ -51,12 +47,12 @@ Setting glassInSmoke() {
     fields.sigmaA = fields.sigmaS = fields.emission = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.0f));
     fields.anisotropy = DenseGrid<float>(lattice.size, 0.0f);
     test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
-        const float inside = float(insideSphere(lattice, v, 0.6));
+        const float inside = float(test::sphereCoverage(lattice, v, 0.6));
         const double height = lattice.worldFromIndex(v).y;
         fields.sigmaA.at(v) = inside * glm::vec3(0.1f, 0.8f, 1.6f);
         fields.sigmaS.at(v) = (1.0f - inside) * glm::vec3(0.5f, 0.4f, 0.3f) * float(1.0 + 0.5 * height);
         fields.anisotropy.at(v) = float(0.5 + 0.2 * height);
-        fields.emission.at(v) = float(insideSphere(lattice, v, 0.3)) * glm::vec3(0.8f, 0.5f, 0.1f);
+        fields.emission.at(v) = float(test::sphereCoverage(lattice, v, 0.3)) * glm::vec3(0.8f, 0.5f, 0.1f);
     });
     setting.scene.environment.gradient = {glm::dvec3(0.9, 0.6, 0.3), glm::dvec3(0.1, 0.3, 0.8)};
     setting.scene.environment.intensity = 1.2;

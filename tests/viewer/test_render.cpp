@@ -193,9 +193,7 @@ TEST(Render, TrappedRaysEndAtTheLimitWithABackground) {
 TEST(Render, OpaqueSurfaceShowsItsIrradiance) {
     const Lattice lattice = test::cube(32, 1.0);
     Fields fields = test::uniformFields(lattice);
-    const auto solid = test::boxGrid(lattice, {-0.8, -0.8, -0.8}, {0.8, 0.8, 0.1}, glm::vec3(1.0f));
-    fields.opaque = DenseGrid<float>(lattice.size, 0.0f);
-    for (std::size_t i = 0; i < solid.values.size(); ++i) fields.opaque.values[i] = solid.values[i].x;
+    fields.opaque = test::boxCoverage(lattice, {-0.8, -0.8, -0.8}, {0.8, 0.8, 0.1});
     fields.albedo = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.5f, 0.25f, 1.0f));
     const BakedLight bake = constantLight(lattice, glm::vec3(2.0f), glm::vec3(0.0f, 0.6f, -0.8f));
     const RenderResult lit = rendered(test::plainScene(glm::dvec3(0.0), 30.0, 0.5, 1), fields, &bake);

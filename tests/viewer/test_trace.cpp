@@ -209,9 +209,7 @@ TEST(Trace, CountsOpticalDepthAndOpaqueHits) {
     Fields fields = test::uniformFields(lattice);
     fields.sigmaA = test::boxGrid(lattice, {-1.0, -1.0, -0.4}, {1.0, 1.0, 0.3}, {0.5f, 1.0f, 2.0f});
     fields.albedo = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.5f));
-    const auto coverage = test::boxGrid(lattice, {-1.0, -1.0, 0.61}, {1.0, 1.0, 0.9}, glm::vec3(1.0f));
-    fields.opaque = DenseGrid<float>(lattice.size, 0.0f);
-    for (std::size_t i = 0; i < coverage.values.size(); ++i) fields.opaque.values[i] = coverage.values[i].x;
+    fields.opaque = test::boxCoverage(lattice, {-1.0, -1.0, 0.61}, {1.0, 1.0, 0.9});
     const double aVoxel = 1.0;  // steps that sum linear interpolation over a sharp face exactly
     const auto results =
         traced(fields, {{{0.03, 0.01, -3.0}, {0.0, 0.0, 1.0}}, {{0.0, 0.0, -0.9}, {0.0, 0.0, -1.0}}}, aVoxel);
