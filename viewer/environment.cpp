@@ -9,7 +9,7 @@ namespace eikonal::viewer {
 
 namespace {
 
-constexpr glm::ivec2 kGradientCells{256, 128};  // of the sphere; the means are good to 4e-5 of themselves
+constexpr glm::ivec2 kGradientCells{256, 128};  // of the sphere; the means are good to 1e-4 of themselves
 constexpr int kAmbientRows = 256;             // a larger map is looked at in every so many rows and columns
 
 /// Cosine-weighted mean of a radiance over the hemispheres about +X, -X, +Y, -Y, +Z, -Z, in the map's own frame.
