@@ -52,7 +52,7 @@ Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
     criteria.opticalStep = accuracy.stepVoxels.value_or(1.0) * voxel * std::min(1.0, iorRangeOf(fields).low);
     criteria.maxSide = refinement * voxel;
     // The light's mean power per voxel of a cross-section, times the share of it that may be misplaced by not splitting.
-    criteria.splitShare = 0.5 * accuracy.tolerance / (longest * longest);
+    criteria.splitShare = accuracy.tolerance / (longest * longest);
     criteria.cullShare = 1e-3 * accuracy.tolerance;
     criteria.maxOpticalPath = kMaxDiagonals / refinement * glm::length(fields.lattice.extent()) *
                               std::max(1.0, iorRangeOf(fields).high);

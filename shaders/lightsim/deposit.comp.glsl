@@ -18,17 +18,23 @@ layout(std430, binding = BAKE_IRRADIANCE_BINDING + 2) buffer Irradiance2 { uvec2
 #endif
 
 const float kBlockSide = 1.0;  // [voxels]
-const int kMaxBlocks = 2;      // along each side: patches too weak to be split may be longer
+const int kMaxBlocks = 2;      // along each side
+const float kTooLong = 1.15;   // longest sides: refine splits patches before they grow that long, unless they are weak
 const int kNodes = 3;          // a block of that side reaches the hats of 3 voxels along each axis
 
 struct Sweep {  // a patch over its last step
     vec3 before[4];
     vec3 after[4];
     vec3 share[4];
+    vec4 lengths;  // of the corners' steps along their arcs [voxels]: the path length even where they bend or part
 };
 
 vec3 bilinear(vec3 corners[4], vec2 at) {
     return mix(mix(corners[0], corners[1], at.x), mix(corners[3], corners[2], at.x), at.y);
+}
+
+float bilinear(vec4 corners, vec2 at) {
+    return mix(mix(corners.x, corners.y, at.x), mix(corners.w, corners.z, at.x), at.y);
 }
 
 int blocksFor(float sideVoxels) {
@@ -48,28 +54,42 @@ void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
 #endif
 }
 
-// Eight points of a block of the sweep, a quarter of its sides about its middle, in voxels from the first voxel's centre.
-// Points outside the domain weigh nothing, the others the length of path that they stand for.
+const int kPoints = 8;
+
+// Points that are splatted together, in voxels from the first voxel's centre, and the lengths of path that they stand for.
 struct Block {
-    vec3 places[8];
-    float lengths[8];  // [voxels]
-    vec3 base;         // voxel whose hat reaches all of them from below
+    vec3 places[kPoints];
+    float lengths[kPoints];  // [voxels]; 0 outside the domain
+    vec3 base;               // voxel whose hat reaches all of them from below
 };
 
+void placePoint(inout Block block, int i, vec3 x, float lengthVoxels) {
+    bool inside = all(greaterThanEqual(x, domainMin)) && all(lessThanEqual(x, domainMax));
+    block.places[i] = (x - domainMin) / domainVoxel - 0.5;
+    block.lengths[i] = inside ? lengthVoxels : 0.0;
+    if (inside && lengthVoxels > 0.0) {
+        block.base = min(block.base, floor(block.places[i]));
+    }
+}
+
+// Eight points of a block of the sweep, a quarter of its sides about its middle.
 Block blockOf(Sweep sweep, vec3 low, vec3 extent) {
     Block block;
     block.base = vec3(1.0e9);
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < kPoints; ++i) {
         vec3 at = low + extent * mix(vec3(0.25), vec3(0.75), vec3(ivec3(i & 1, (i >> 1) & 1, i >> 2)));
-        vec3 from = bilinear(sweep.before, at.xy);
-        vec3 along = bilinear(sweep.after, at.xy) - from;
-        vec3 x = from + along * at.z;
-        bool inside = all(greaterThanEqual(x, domainMin)) && all(lessThanEqual(x, domainMax));
-        block.places[i] = (x - domainMin) / domainVoxel - 0.5;
-        block.lengths[i] = inside ? 0.125 * extent.z * length(along) / domainVoxel : 0.0;
-        if (inside) {
-            block.base = min(block.base, floor(block.places[i]));
-        }
+        vec3 x = mix(bilinear(sweep.before, at.xy), bilinear(sweep.after, at.xy), at.z);
+        placePoint(block, i, x, extent.z * bilinear(sweep.lengths, at.xy) / float(kPoints));
+    }
+    return block;
+}
+
+// A single point of a corner's own step.
+Block cornerPoint(Sweep sweep, int corner, float at) {
+    Block block;
+    block.base = vec3(1.0e9);
+    for (int i = 0; i < kPoints; ++i) {
+        placePoint(block, i, mix(sweep.before[corner], sweep.after[corner], at), i == 0 ? 0.5 * sweep.lengths[corner] : 0.0);
     }
     return block;
 }
@@ -77,8 +97,8 @@ Block blockOf(Sweep sweep, vec3 low, vec3 extent) {
 // Sum over the points of length times the hat of a voxel, `node` voxels above the block's base.
 float hatSum(Block block, vec3 node) {
     float sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        // points of a sheared block beyond the last hat are moved onto it
+    for (int i = 0; i < kPoints; ++i) {
+        // a sheared block may reach a tenth of a voxel beyond the last hat: its points are moved onto it
         vec3 place = min(block.places[i] - block.base, vec3(float(kNodes - 1)));
         vec3 hat = max(1.0 - abs(place - node), 0.0);
         sum += block.lengths[i] * hat.x * hat.y * hat.z;
@@ -120,12 +140,13 @@ float opaqueCompensation(Block block) {
     return correction;
 }
 
-void depositBlock(Block block, vec3 power, vec3 direction) {
+// travel: mean direction, shorter than 1 where the corners' directions differ.
+void depositBlock(Block block, vec3 power, vec3 travel) {
     vec3 scaled = power * (settings.depositScale * opaqueCompensation(block));
 #if BANDS == 3
-    vec3 flux = direction * (scaled.x + scaled.y + scaled.z);
+    vec3 flux = travel * (scaled.x + scaled.y + scaled.z);
 #else
-    vec3 flux = direction * scaled.x;
+    vec3 flux = travel * scaled.x;
 #endif
     for (int node = 0; node < kNodes * kNodes * kNodes; ++node) {
         ivec3 voxel = voxelOf(block, node);
@@ -136,11 +157,27 @@ void depositBlock(Block block, vec3 power, vec3 direction) {
     }
 }
 
-void depositSweep(Sweep sweep, vec3 power) {
-    ivec3 counts = ivec3(
-        blocksFor(max(distance(sweep.after[0], sweep.after[1]), distance(sweep.after[3], sweep.after[2])) / domainVoxel),
-        blocksFor(max(distance(sweep.after[0], sweep.after[3]), distance(sweep.after[1], sweep.after[2])) / domainVoxel),
-        blocksFor(max(distance(sweep.before[0], sweep.after[0]), distance(sweep.before[2], sweep.after[2])) / domainVoxel));
+float longerOf(Sweep sweep, int a, int b, int c, int d) {
+    return max(distance(sweep.after[a], sweep.after[b]), distance(sweep.after[c], sweep.after[d]));
+}
+
+vec3 meanDirection(vec3 along, float lengthVoxels) {
+    return along / max(lengthVoxels * domainVoxel, 1.0e-30);
+}
+
+// A patch too weak to be split: between its corners there may be anything. Each stands for a quarter of the power on its
+// own path.
+void depositCorners(Sweep sweep, vec3 power) {
+    for (int i = 0; i < 8; ++i) {
+        int corner = i / 2;
+        depositBlock(cornerPoint(sweep, corner, float(i % 2) * 0.5 + 0.25), 0.25 * power * sweep.share[corner],
+                     meanDirection(sweep.after[corner] - sweep.before[corner], sweep.lengths[corner]));
+    }
+}
+
+void depositBlocks(Sweep sweep, vec3 power, float sideU, float sideV) {
+    float stepLength = max(max(sweep.lengths.x, sweep.lengths.y), max(sweep.lengths.z, sweep.lengths.w));
+    ivec3 counts = ivec3(blocksFor(sideU / domainVoxel), blocksFor(sideV / domainVoxel), blocksFor(stepLength));
     vec3 extent = 1.0 / vec3(counts);
     vec3 blockPower = power * (extent.x * extent.y);
     for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
@@ -148,7 +185,7 @@ void depositSweep(Sweep sweep, vec3 power) {
         vec2 middle = low.xy + 0.5 * extent.xy;
         vec3 along = bilinear(sweep.after, middle) - bilinear(sweep.before, middle);
         depositBlock(blockOf(sweep, low, extent), blockPower * bilinear(sweep.share, middle),
-                     along / max(length(along), 1.0e-30));
+                     meanDirection(along, bilinear(sweep.lengths, middle)));
     }
 }
 
@@ -163,6 +200,13 @@ void main() {
         sweep.before[i] = patches[slot].corners[i].xPrevious;
         sweep.after[i] = patches[slot].corners[i].x;
         sweep.share[i] = patches[slot].corners[i].meanShare;
+        sweep.lengths[i] = patches[slot].corners[i].arcLength / domainVoxel;
     }
-    depositSweep(sweep, patches[slot].power);
+    float sideU = longerOf(sweep, 0, 1, 3, 2);
+    float sideV = longerOf(sweep, 0, 3, 1, 2);
+    if (max(sideU, sideV) > kTooLong * settings.maxSide) {
+        depositCorners(sweep, patches[slot].power);
+    } else {
+        depositBlocks(sweep, patches[slot].power, sideU, sideV);
+    }
 }

@@ -43,9 +43,9 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     particle.absorbedShare = vec3(0.0);
     particle.scatteredShare = vec3(0.0);
     particle.reflectedShare = vec3(0.0);
+    particle.arcLength = 0.0;
     particle.unusedA = 0.0;
     particle.unusedB = 0.0;
-    particle.unusedC = 0.0;
     return particle;
 }
 
@@ -60,7 +60,7 @@ Particle enterDomain(Particle particle, vec3 entry) {
     return inside;
 }
 
-// Medium along the part of the step inside the domain, from its midpoint: exact for constant extinction.
+// Medium along a straight piece inside the domain, from its midpoint: exact for constant extinction.
 Particle attenuate(Particle particle, vec3 midpoint, float arcLength) {
     Particle after = particle;
     vec3 before = remainingShare(particle);
@@ -81,6 +81,17 @@ Particle attenuate(Particle particle, vec3 midpoint, float arcLength) {
     after.scatteredShare = particle.scatteredShare + after.meanShare * sigmaS * arcLength;
     after.transmittance = particle.transmittance * (1.0 - tau * meanOverStep);
 #endif
+    return after;
+}
+
+// Both pieces of a step. Where n changes they differ in length: the matter at the place where they meet would stand for too
+// much of the slower one.
+Particle attenuateStep(Particle particle, vec3 start, vec3 middle, vec3 end) {
+    float first = length(middle - start);
+    float second = length(end - middle);
+    Particle halfWay = attenuate(particle, 0.5 * (start + middle), first);
+    Particle after = attenuate(halfWay, 0.5 * (middle + end), second);
+    after.meanShare = (halfWay.meanShare * first + after.meanShare * second) / max(first + second, 1.0e-30);
     return after;
 }
 
@@ -125,6 +136,7 @@ Particle leaveDomain(Particle particle, Ray before, Ray end) {
     float inside = min(distanceToExit(before.x, along / max(reach, 1.0e-30), domainMin, domainMax), reach);
     Particle after = attenuate(particle, before.x + along * (0.5 * inside / max(reach, 1.0e-30)), inside);
     after.status = PARTICLE_EXITED;
+    after.arcLength = particle.arcLength + reach;
     after.x = end.x;
     after.w = normalize(end.w);
     return after;
@@ -142,11 +154,11 @@ Particle advanceInside(Particle particle, float dt) {
     if (!insideDomain(end.x)) {
         return leaveDomain(particle, before, end);
     }
-    float arcLength = length(middle.x - before.x) + length(end.x - middle.x);
-    Particle after = attenuate(particle, middle.x, arcLength);
+    Particle after = attenuateStep(particle, before.x, middle.x, end.x);
     after = crossInterfaces(after, middle.x, 0.5 * (before.w + end.w), optics.n, optics.gradN);
     after.x = end.x;
     after.w = end.w;
+    after.arcLength += length(middle.x - before.x) + length(end.x - middle.x);
 #ifdef EFFECT_OPAQUE
     if (sampleOpaque(end.x).a > 0.5) {
         after.status = PARTICLE_BLOCKED;
@@ -162,14 +174,17 @@ Particle advance(Particle particle, float t) {
     Particle after = particle;
     float dt = settings.opticalStep;
     after.xPrevious = particle.x;
+    after.arcLength = 0.0;
     if (particle.status == PARTICLE_WAITING && particle.enterPath < t + dt) {
         float straight = max(particle.enterPath - t, 0.0);
         after = enterDomain(after, particle.x + particle.w * straight);
+        after.arcLength = straight;
         dt -= straight;
     }
     if (after.status == PARTICLE_INSIDE) {
         return advanceInside(after, dt);
     }
     after.x = after.x + after.w * dt;
+    after.arcLength += dt;
     return after;
 }

@@ -18,8 +18,14 @@ struct Shape {
     uint insideCorners;
     bool ended;           // nothing of it will be in the domain any more
     vec3 remaining;       // mean share of the launched power in corners inside or still to come
+    float spread;         // largest difference of the corners' mean shares over the last step, by band
     uint orientation;
 };
+
+// Corners whose shares differ by more than this part of the largest are too far apart to be interpolated between, as long
+// as the patch is longer than this part of the longest side: what is smaller, a voxel's mean does not show.
+const float kMaxSpread = 0.1;
+const float kResolvedSide = 0.5;
 
 Shape shapeOf(uint slot) {
     vec3 x[4];
@@ -30,12 +36,16 @@ Shape shapeOf(uint slot) {
     shape.ended = true;
     shape.remaining = vec3(0.0);
     vec3 travel = vec3(0.0);
+    vec3 leastShare = vec3(1.0);
+    vec3 mostShare = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         Particle corner = patches[slot].corners[i];
         x[i] = corner.x;
         low = min(low, x[i]);
         high = max(high, x[i]);
         travel += corner.w;
+        leastShare = min(leastShare, corner.meanShare);
+        mostShare = max(mostShare, corner.meanShare);
         if (corner.status <= PARTICLE_INSIDE) {
             shape.ended = false;
             shape.remaining += 0.25 * remainingShare(corner);
@@ -45,6 +55,8 @@ Shape shapeOf(uint slot) {
     shape.sideU = max(distance(x[0], x[1]), distance(x[3], x[2]));
     shape.sideV = max(distance(x[0], x[3]), distance(x[1], x[2]));
     shape.nearDomain = all(lessThan(low, domainMax)) && all(greaterThan(high, domainMin));
+    vec3 spread = mostShare - leastShare;
+    shape.spread = max(spread.x, max(spread.y, spread.z));
     float along = dot(cross(x[2] - x[0], x[3] - x[1]), travel);
     shape.orientation = along > 0.0 ? 1u : (along < 0.0 ? 2u : 0u);
     return shape;
@@ -102,18 +114,29 @@ void halve(uint slot, bool alongU) {
     }
 }
 
+float largestOf(vec3 value) {
+    return max(value.x, max(value.y, value.z));
+}
+
+// Whether the patch is too long for its shape, or for the light across it, to be interpolated between its corners. Energy
+// decides where that stops to matter.
+bool wantsSplit(uint slot, Shape shape) {
+    float side = max(shape.sideU, shape.sideV);
+    bool tooLong = side > settings.maxSide;
+    bool tooUneven = shape.spread > kMaxSpread * largestOf(shape.remaining) && side > kResolvedSide * settings.maxSide;
+    return shape.nearDomain && (tooLong || tooUneven) &&
+           largestOf(patches[slot].power * shape.remaining) > frames[patches[slot].frameIndex].splitPower;
+}
+
 void refine(uint slot, inout uint evaluations) {
     patches[slot].stepCount += 1u;
     Shape shape = shapeOf(slot);
     countFold(slot, shape.orientation);
     evaluations += shape.insideCorners;
-    vec3 left = patches[slot].power * shape.remaining;
-    float strongest = max(left.x, max(left.y, left.z));
-    float mostShare = max(shape.remaining.x, max(shape.remaining.y, shape.remaining.z));
-    if (shape.ended || mostShare < settings.cullShare || patches[slot].stepCount >= settings.maxSteps) {
+    if (shape.ended || largestOf(shape.remaining) < settings.cullShare ||
+        patches[slot].stepCount >= settings.maxSteps) {
         listForRetire(slot);
-    } else if (shape.nearDomain && max(shape.sideU, shape.sideV) > settings.maxSide &&
-               strongest > frames[patches[slot].frameIndex].splitPower) {
+    } else if (wantsSplit(slot, shape)) {
         halve(slot, shape.sideU >= shape.sideV);
     } else {
         appendLive(slot);

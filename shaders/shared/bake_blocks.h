@@ -76,11 +76,11 @@ struct Particle {
     float wTangential;
     float sideAtStart;
     vec3 absorbedShare;
-    float unusedA;
+    float arcLength;      // of the last step
     vec3 scatteredShare;
-    float unusedB;
+    float unusedA;
     vec3 reflectedShare;
-    float unusedC;
+    float unusedB;
 };
 
 // A piece of a wavefront: corners in the order (u0, v0), (u1, v0), (u1, v1), (u0, v1) of its launch rectangle.

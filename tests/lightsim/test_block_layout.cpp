@@ -36,9 +36,9 @@ test::Members particleMembers() {
         EIKONAL_MEMBER(bake::Particle, gradMax), EIKONAL_MEMBER(bake::Particle, nStart),
         EIKONAL_MEMBER(bake::Particle, nLast), EIKONAL_MEMBER(bake::Particle, wTangential),
         EIKONAL_MEMBER(bake::Particle, sideAtStart), EIKONAL_MEMBER(bake::Particle, absorbedShare),
-        EIKONAL_MEMBER(bake::Particle, unusedA), EIKONAL_MEMBER(bake::Particle, scatteredShare),
-        EIKONAL_MEMBER(bake::Particle, unusedB), EIKONAL_MEMBER(bake::Particle, reflectedShare),
-        EIKONAL_MEMBER(bake::Particle, unusedC)
+        EIKONAL_MEMBER(bake::Particle, arcLength), EIKONAL_MEMBER(bake::Particle, scatteredShare),
+        EIKONAL_MEMBER(bake::Particle, unusedA), EIKONAL_MEMBER(bake::Particle, reflectedShare),
+        EIKONAL_MEMBER(bake::Particle, unusedB)
     };
 }
 
