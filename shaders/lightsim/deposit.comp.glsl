@@ -140,13 +140,51 @@ float opaqueCompensation(Block block) {
     return correction;
 }
 
-// travel: mean direction, shorter than 1 where the corners' directions differ.
-void depositBlock(Block block, vec3 power, vec3 travel) {
-    vec3 scaled = power * (settings.depositScale * opaqueCompensation(block));
+float longerOf(Sweep sweep, int a, int b, int c, int d) {
+    return max(distance(sweep.after[a], sweep.after[b]), distance(sweep.after[c], sweep.after[d]));
+}
+
+vec3 meanDirection(vec3 along, float lengthVoxels) {
+    return along / max(lengthVoxels * domainVoxel, 1.0e-30);
+}
+
+// A part of the sweep that is splatted at once.
+struct Part {
+    Block block;
+    vec3 power;
+    vec3 travel;  // mean direction, shorter than 1 where the corners' directions differ
+};
+
+// Of a patch too weak to be split: between its corners there may be anything. Each stands for a quarter of the power on its
+// own path, two points of it.
+Part cornerPart(Sweep sweep, vec3 power, int i) {
+    int corner = i / 2;
+    Part part;
+    part.block = cornerPoint(sweep, corner, float(i % 2) * 0.5 + 0.25);
+    part.power = 0.25 * power * sweep.share[corner];
+    part.travel = meanDirection(sweep.after[corner] - sweep.before[corner], sweep.lengths[corner]);
+    return part;
+}
+
+Part blockPart(Sweep sweep, vec3 power, ivec3 counts, int i) {
+    vec3 extent = 1.0 / vec3(counts);
+    vec3 low = extent * vec3(ivec3(i % counts.x, (i / counts.x) % counts.y, i / (counts.x * counts.y)));
+    vec2 middle = low.xy + 0.5 * extent.xy;
+    Part part;
+    part.block = blockOf(sweep, low, extent);
+    part.power = power * (extent.x * extent.y) * bilinear(sweep.share, middle);
+    part.travel = meanDirection(bilinear(sweep.after, middle) - bilinear(sweep.before, middle),
+                                bilinear(sweep.lengths, middle));
+    return part;
+}
+
+void depositPart(Part part) {
+    Block block = part.block;
+    vec3 scaled = part.power * (settings.depositScale * opaqueCompensation(block));
 #if BANDS == 3
-    vec3 flux = travel * (scaled.x + scaled.y + scaled.z);
+    vec3 flux = part.travel * (scaled.x + scaled.y + scaled.z);
 #else
-    vec3 flux = travel * scaled.x;
+    vec3 flux = part.travel * scaled.x;
 #endif
     for (int node = 0; node < kNodes * kNodes * kNodes; ++node) {
         ivec3 voxel = voxelOf(block, node);
@@ -157,35 +195,20 @@ void depositBlock(Block block, vec3 power, vec3 travel) {
     }
 }
 
-float longerOf(Sweep sweep, int a, int b, int c, int d) {
-    return max(distance(sweep.after[a], sweep.after[b]), distance(sweep.after[c], sweep.after[d]));
-}
-
-vec3 meanDirection(vec3 along, float lengthVoxels) {
-    return along / max(lengthVoxels * domainVoxel, 1.0e-30);
-}
-
-// A patch too weak to be split: between its corners there may be anything. Each stands for a quarter of the power on its
-// own path.
-void depositCorners(Sweep sweep, vec3 power) {
-    for (int i = 0; i < 8; ++i) {
-        int corner = i / 2;
-        depositBlock(cornerPoint(sweep, corner, float(i % 2) * 0.5 + 0.25), 0.25 * power * sweep.share[corner],
-                     meanDirection(sweep.after[corner] - sweep.before[corner], sweep.lengths[corner]));
-    }
-}
-
-void depositBlocks(Sweep sweep, vec3 power, float sideU, float sideV) {
+// One loop for both kinds of patches: their invocations run side by side.
+void depositSweep(Sweep sweep, vec3 power) {
+    float sideU = longerOf(sweep, 0, 1, 3, 2);
+    float sideV = longerOf(sweep, 0, 3, 1, 2);
     float stepLength = max(max(sweep.lengths.x, sweep.lengths.y), max(sweep.lengths.z, sweep.lengths.w));
     ivec3 counts = ivec3(blocksFor(sideU / domainVoxel), blocksFor(sideV / domainVoxel), blocksFor(stepLength));
-    vec3 extent = 1.0 / vec3(counts);
-    vec3 blockPower = power * (extent.x * extent.y);
-    for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
-        vec3 low = extent * vec3(ivec3(i % counts.x, (i / counts.x) % counts.y, i / (counts.x * counts.y)));
-        vec2 middle = low.xy + 0.5 * extent.xy;
-        vec3 along = bilinear(sweep.after, middle) - bilinear(sweep.before, middle);
-        depositBlock(blockOf(sweep, low, extent), blockPower * bilinear(sweep.share, middle),
-                     meanDirection(along, bilinear(sweep.lengths, middle)));
+    bool tooLong = max(sideU, sideV) > kTooLong * settings.maxSide;
+    int parts = tooLong ? 8 : counts.x * counts.y * counts.z;
+    for (int i = 0; i < parts; ++i) {
+        Part part = blockPart(sweep, power, counts, i);
+        if (tooLong) {
+            part = cornerPart(sweep, power, i);
+        }
+        depositPart(part);
     }
 }
 
@@ -202,11 +225,5 @@ void main() {
         sweep.share[i] = patches[slot].corners[i].meanShare;
         sweep.lengths[i] = patches[slot].corners[i].arcLength / domainVoxel;
     }
-    float sideU = longerOf(sweep, 0, 1, 3, 2);
-    float sideV = longerOf(sweep, 0, 3, 1, 2);
-    if (max(sideU, sideV) > kTooLong * settings.maxSide) {
-        depositCorners(sweep, patches[slot].power);
-    } else {
-        depositBlocks(sweep, patches[slot].power, sideU, sideV);
-    }
+    depositSweep(sweep, patches[slot].power);
 }

@@ -27,8 +27,10 @@ class ShippedScene : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedScene, KeepsItsEnergy) {
     const test::TemporaryFolder folder;
-    std::vector<std::string> arguments = {"bake",    std::string(EIKONAL_SCENES) + "/" + GetParam() + ".toml", "-o",
-                                          folder.file("bake.vdb"), "--stats", folder.file("stats.json"), "--quiet"};
+    std::vector<std::string> arguments = test::shippedScene(GetParam(), folder);
+    arguments.insert(arguments.begin(), "bake");
+    arguments.insert(arguments.end(),
+                     {"-o", folder.file("bake.vdb"), "--stats", folder.file("stats.json"), "--quiet"});
     const auto run = test::runEikonal(arguments);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const Json energy = Json::parse(test::readText(folder.file("stats.json"))).at("energy");

@@ -104,6 +104,22 @@ std::vector<std::string> TemporaryFolder::names() const {
     return names;
 }
 
+std::vector<std::string> shippedScene(const std::string& name, const TemporaryFolder& folder) {
+    std::vector<std::string> arguments{std::string(EIKONAL_SCENES) + "/" + name + ".toml"};
+    if (name == "amber_figure") {
+        const std::string mesh = folder.file("trefoil.obj");
+        const std::string volume = folder.file("trefoil.vdb");
+        const RunResult figure = runEikonal({"figure", "-o", mesh});
+        const RunResult voxelize = runEikonal({"voxelize", mesh, "-o", volume, "--ior", "1.54", "--absorption", "0.5,2,7",
+                                               "--resolution", "64"});
+        if (figure.exitCode != 0 || voxelize.exitCode != 0) {
+            throw std::runtime_error("the figure of " + name + " cannot be made: " + figure.err + voxelize.err);
+        }
+        arguments.insert(arguments.end(), {"--set", "object.0.volume=" + volume});
+    }
+    return arguments;
+}
+
 std::string readText(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

@@ -48,6 +48,9 @@ private:
 
 std::string readText(const std::filesystem::path& path);
 
+/// Arguments that name a scene of volumes/: the file, and where it needs one the volume of a mesh, made in `folder`.
+std::vector<std::string> shippedScene(const std::string& name, const TemporaryFolder& folder);
+
 /// A scene that bakes and renders in a fraction of a second: a small glass ball in smoke, one beam.
 extern const std::string kSmallScene;
 

@@ -39,37 +39,21 @@ std::vector<double> differences(const Image& a, const Image& b) {
     return result;
 }
 
-class Picture : public testing::TestWithParam<std::string> {
-protected:
-    std::vector<std::string> sceneArguments() const {
-        std::vector<std::string> arguments{std::string(EIKONAL_SCENES) + "/" + GetParam() + ".toml"};
-        if (GetParam() == "amber_figure") {
-            const std::string mesh = folder_.file("trefoil.obj");
-            const std::string volume = folder_.file("trefoil.vdb");
-            EXPECT_EQ(runEikonal({"figure", "-o", mesh}).exitCode, 0);
-            EXPECT_EQ(runEikonal({"voxelize", mesh, "-o", volume, "--ior", "1.54", "--absorption", "0.5,2,7",
-                                  "--resolution", "64"}).exitCode, 0);
-            arguments.insert(arguments.end(), {"--set", "object.0.volume=" + volume});
-        }
-        return arguments;
-    }
-
-    TemporaryFolder folder_;
-};
+class Picture : public testing::TestWithParam<std::string> {};
 
 } // namespace
 
 TEST_P(Picture, LooksLikeTheGallery) {
     const Image gallery = reduced(readImage(std::string(EIKONAL_GALLERY) + "/" + GetParam() + ".png"));
-    std::vector<std::string> arguments{"render"};
-    const std::vector<std::string> scene = sceneArguments();
-    arguments.insert(arguments.end(), scene.begin(), scene.end());
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments = shippedScene(GetParam(), folder);
+    arguments.insert(arguments.begin(), "render");
     const std::string size = std::to_string(gallery.size.x) + "x" + std::to_string(gallery.size.y);
-    arguments.insert(arguments.end(), {"--size", size, "-o", folder_.file("picture.png")});
+    arguments.insert(arguments.end(), {"--size", size, "-o", folder.file("picture.png")});
     const RunResult result = runEikonal(arguments);
     ASSERT_EQ(result.exitCode, 0) << result.err;
 
-    const Image picture = readImage(folder_.file("picture.png"));
+    const Image picture = readImage(folder.file("picture.png"));
     ASSERT_EQ(picture.size, gallery.size);
     std::vector<double> difference = differences(picture, gallery);
     double mean = 0.0;
