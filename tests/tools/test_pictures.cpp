@@ -64,7 +64,6 @@ TEST_P(Picture, LooksLikeTheGallery) {
     RecordProperty("mean_difference", std::to_string(mean));
     EXPECT_LT(mean, 0.01);
     EXPECT_LT(difference[difference.size() * 95 / 100], 0.05);
-
 }
 
 INSTANTIATE_TEST_SUITE_P(Gallery, Picture,
