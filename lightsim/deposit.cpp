@@ -20,7 +20,8 @@ int layersPerSlab(const Lattice& lattice, std::size_t blockBytes) {
 Deposit::Deposit(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
                  int layers, int bands)
     : bands_(bands), voxelsPerLayer_(std::size_t(lattice.size.x) * std::size_t(lattice.size.y)),
-      kernel_(context, "lightsim/deposit.comp.glsl", defines) {
+      interpolated_(context, "lightsim/deposit.comp.glsl", defines),
+      corners_(context, "lightsim/deposit_corners.comp.glsl", defines) {
     const std::size_t bytes = voxelsPerLayer_ * std::size_t(layers) * kSumBytes;
     for (const char* label : {"flux x", "flux y", "flux z"}) {
         flux_.emplace_back(context, bytes, label);
@@ -47,7 +48,8 @@ void Deposit::add(const Wavefront& wavefront) const {
     for (std::size_t i = 0; i < irradiance_.size(); ++i) {
         irradiance_[i].bindStorage(GLuint(BAKE_IRRADIANCE_BINDING + i));
     }
-    wavefront.dispatchOverPatches(kernel_);
+    wavefront.dispatchOverPatches(interpolated_);
+    wavefront.dispatchOverListedCorners(corners_);
 }
 
 void Deposit::read(int begin, int end, double unit, const DenseGrid<float>& opaque, BakedLight& light) const {

@@ -27,7 +27,7 @@ private:
     int bands_;
     std::size_t voxelsPerLayer_;
     std::vector<gpu::Buffer> flux_, irradiance_;
-    gpu::Kernel kernel_;
+    gpu::Kernel interpolated_, corners_;
 };
 
 /// Voxel layers whose sums fit in a storage block of `blockBytes`; at least 1.

@@ -12,8 +12,6 @@ std::vector<std::string> with(std::vector<std::string> defines, const char* extr
     return defines;
 }
 
-void barrierAfterStage() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT); }
-
 } // namespace
 
 Wavefront::Wavefront(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
@@ -65,31 +63,28 @@ void Wavefront::bindSources() const {
 void Wavefront::emit() const {
     bindSources();
     planEmission_.dispatch({1, 1, 1});
-    barrierAfterStage();
     emit_.dispatchIndirect(queue_, offsetof(QueueState, emitGroups));
-    barrierAfterStage();
     beginRound_.dispatch({1, 1, 1});
-    barrierAfterStage();
 }
 
 void Wavefront::propagate() const {
     bindPool();
     propagate_.dispatchIndirect(queue_, offsetof(QueueState, particleGroups));
-    barrierAfterStage();
 }
 
 void Wavefront::refine() const {
     bindSources();
     dispatchOverPatches(refine_);
     retire_.dispatchIndirect(queue_, offsetof(QueueState, retireGroups));
-    barrierAfterStage();
     split_.dispatchIndirect(queue_, offsetof(QueueState, splitGroups));
-    barrierAfterStage();
 }
 
 void Wavefront::dispatchOverPatches(const gpu::Kernel& kernel) const {
     kernel.dispatchIndirect(queue_, offsetof(QueueState, patchGroups));
-    barrierAfterStage();
+}
+
+void Wavefront::dispatchOverListedCorners(const gpu::Kernel& kernel) const {
+    kernel.dispatchIndirect(queue_, offsetof(QueueState, cornersGroups));
 }
 
 QueueState Wavefront::state() const { return queue_.download<QueueState>(1).front(); }

@@ -26,6 +26,8 @@ public:
     void bindPool() const;
     /// Dispatches a kernel with an invocation for each live patch.
     void dispatchOverPatches(const gpu::Kernel& kernel) const;
+    /// Dispatches a kernel with an invocation for each corner of the patches listed for that.
+    void dispatchOverListedCorners(const gpu::Kernel& kernel) const;
 
     QueueState state() const;
     /// The patches that refine has left alive, in no particular order.

@@ -42,6 +42,13 @@ void listForSplit(uint slot, uint secondSlot, bool alongU) {
     atomicMax(queue.splitGroups.x, groupsFor(2u * (i + 1u)));
 }
 
+// The deposit of the patch's last step is left to its corners.
+void listForCorners(uint slot) {
+    uint i = atomicAdd(queue.cornersCount, 1u);
+    slotLists[CORNERS_LIST * settings.capacity + i] = slot;
+    atomicMax(queue.cornersGroups.x, groupsFor(4u * (i + 1u)));
+}
+
 void returnSlot(uint slot) {
     uint place = atomicAdd(queue.freeTail, 1u) % settings.capacity;
     slotLists[FREE_RING * settings.capacity + place] = slot;

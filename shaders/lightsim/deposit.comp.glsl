@@ -1,21 +1,11 @@
 // Deposit: the step of a patch leaves power x path length in the voxels that it sweeps (docs/physics.md, section 3).
 // The swept volume, bilinear over the patch and linear along the step, is cut into blocks of at most a voxel, each sampled
 // at eight points half a voxel apart. The points are splatted together with trilinear weights, clamped at the faces so that
-// no power is lost: their hats overlap, and one sum per voxel costs a quarter of the atomic additions.
-#include "lightsim/bake.glsl"
-#include "fields/fields.glsl"
-#include "lightsim/fixed_point.glsl"
+// no power is lost: their hats overlap, and one sum per voxel costs a quarter of the atomic additions. Patches too long for
+// that are listed for deposit_corners.
+#include "lightsim/splat.glsl"
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
-
-layout(std430, binding = BAKE_FLUX_BINDING) buffer FluxX { uvec2 fluxX[]; };
-layout(std430, binding = BAKE_FLUX_BINDING + 1) buffer FluxY { uvec2 fluxY[]; };
-layout(std430, binding = BAKE_FLUX_BINDING + 2) buffer FluxZ { uvec2 fluxZ[]; };
-layout(std430, binding = BAKE_IRRADIANCE_BINDING) buffer Irradiance0 { uvec2 irradiance0[]; };
-#if BANDS == 3
-layout(std430, binding = BAKE_IRRADIANCE_BINDING + 1) buffer Irradiance1 { uvec2 irradiance1[]; };
-layout(std430, binding = BAKE_IRRADIANCE_BINDING + 2) buffer Irradiance2 { uvec2 irradiance2[]; };
-#endif
 
 const float kBlockSide = 1.0;  // [voxels]
 const int kMaxBlocks = 2;      // along each side
@@ -39,19 +29,6 @@ float bilinear(vec4 corners, vec2 at) {
 
 int blocksFor(float sideVoxels) {
     return clamp(int(ceil(sideVoxels / kBlockSide - 0.01)), 1, kMaxBlocks);
-}
-
-void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
-    uint index = (uint(voxel.z - settings.slabBegin) * uint(domainSize.y) + uint(voxel.y)) * uint(domainSize.x) +
-                 uint(voxel.x);
-    ADD_FIXED(fluxX, index, fixedPoint(flux.x))
-    ADD_FIXED(fluxY, index, fixedPoint(flux.y))
-    ADD_FIXED(fluxZ, index, fixedPoint(flux.z))
-    ADD_FIXED(irradiance0, index, fixedPoint(powerLength.x))
-#if BANDS == 3
-    ADD_FIXED(irradiance1, index, fixedPoint(powerLength.y))
-    ADD_FIXED(irradiance2, index, fixedPoint(powerLength.z))
-#endif
 }
 
 const int kPoints = 8;
@@ -84,16 +61,6 @@ Block blockOf(Sweep sweep, vec3 low, vec3 extent) {
     return block;
 }
 
-// A single point of a corner's own step.
-Block cornerPoint(Sweep sweep, int corner, float at) {
-    Block block;
-    block.base = vec3(1.0e9);
-    for (int i = 0; i < kPoints; ++i) {
-        placePoint(block, i, mix(sweep.before[corner], sweep.after[corner], at), i == 0 ? 0.5 * sweep.lengths[corner] : 0.0);
-    }
-    return block;
-}
-
 // Sum over the points of length times the hat of a voxel, `node` voxels above the block's base.
 float hatSum(Block block, vec3 node) {
     float sum = 0.0;
@@ -104,15 +71,6 @@ float hatSum(Block block, vec3 node) {
         sum += block.lengths[i] * hat.x * hat.y * hat.z;
     }
     return sum;
-}
-
-// Share of a voxel that light can be in.
-float freeShare(ivec3 voxel) {
-#ifdef EFFECT_OPAQUE
-    return 1.0 - texelFetch(opaqueGrid, voxel, 0).a;
-#else
-    return 1.0;
-#endif
 }
 
 ivec3 voxelOf(Block block, int node) {
@@ -155,15 +113,21 @@ struct Part {
     vec3 travel;  // mean direction, shorter than 1 where the corners' directions differ
 };
 
-// Of a patch too weak to be split: between its corners there may be anything. Each stands for a quarter of the power on its
-// own path, two points of it.
-Part cornerPart(Sweep sweep, vec3 power, int i) {
-    int corner = i / 2;
-    Part part;
-    part.block = cornerPoint(sweep, corner, float(i % 2) * 0.5 + 0.25);
-    part.power = 0.25 * power * sweep.share[corner];
-    part.travel = meanDirection(sweep.after[corner] - sweep.before[corner], sweep.lengths[corner]);
-    return part;
+// Mean share over a block about a place of the sweep. Matter makes it fall exponentially across a patch that enters it
+// obliquely: the value in the middle is the geometric mean of what lies about it, and Simpson's rule with the corners'
+// arithmetic mean gives the mean over the block. Where shares differ more than matter can make them, one corner is in the
+// shadow of something, and they are interpolated as they are.
+vec3 blockShare(Sweep sweep, vec2 middle) {
+    const float kMostContrast = 4.0;
+    vec3 least = min(min(sweep.share[0], sweep.share[1]), min(sweep.share[2], sweep.share[3]));
+    vec3 most = max(max(sweep.share[0], sweep.share[1]), max(sweep.share[2], sweep.share[3]));
+    vec3 logarithms[4];
+    for (int i = 0; i < 4; ++i) {
+        logarithms[i] = log(max(sweep.share[i], vec3(1.0e-30)));
+    }
+    vec3 arithmetic = bilinear(sweep.share, middle);
+    vec3 geometric = exp(bilinear(logarithms, middle));
+    return mix(arithmetic, (2.0 * geometric + arithmetic) / 3.0, lessThan(most, kMostContrast * least));
 }
 
 Part blockPart(Sweep sweep, vec3 power, ivec3 counts, int i) {
@@ -172,7 +136,7 @@ Part blockPart(Sweep sweep, vec3 power, ivec3 counts, int i) {
     vec2 middle = low.xy + 0.5 * extent.xy;
     Part part;
     part.block = blockOf(sweep, low, extent);
-    part.power = power * (extent.x * extent.y) * bilinear(sweep.share, middle);
+    part.power = power * (extent.x * extent.y) * blockShare(sweep, middle);
     part.travel = meanDirection(bilinear(sweep.after, middle) - bilinear(sweep.before, middle),
                                 bilinear(sweep.lengths, middle));
     return part;
@@ -181,34 +145,21 @@ Part blockPart(Sweep sweep, vec3 power, ivec3 counts, int i) {
 void depositPart(Part part) {
     Block block = part.block;
     vec3 scaled = part.power * (settings.depositScale * opaqueCompensation(block));
-#if BANDS == 3
-    vec3 flux = part.travel * (scaled.x + scaled.y + scaled.z);
-#else
-    vec3 flux = part.travel * scaled.x;
-#endif
+    vec3 flux = fluxOf(scaled, part.travel);
     for (int node = 0; node < kNodes * kNodes * kNodes; ++node) {
         ivec3 voxel = voxelOf(block, node);
         float weight = hatSum(block, offsetOf(node)) * freeShare(voxel);
-        if (weight > 0.0 && voxel.z >= settings.slabBegin && voxel.z < settings.slabEnd) {
+        if (weight > 0.0) {
             addAt(voxel, scaled * weight, flux * weight);
         }
     }
 }
 
-// One loop for both kinds of patches: their invocations run side by side.
-void depositSweep(Sweep sweep, vec3 power) {
-    float sideU = longerOf(sweep, 0, 1, 3, 2);
-    float sideV = longerOf(sweep, 0, 3, 1, 2);
+void depositSweep(Sweep sweep, vec3 power, float sideU, float sideV) {
     float stepLength = max(max(sweep.lengths.x, sweep.lengths.y), max(sweep.lengths.z, sweep.lengths.w));
     ivec3 counts = ivec3(blocksFor(sideU / domainVoxel), blocksFor(sideV / domainVoxel), blocksFor(stepLength));
-    bool tooLong = max(sideU, sideV) > kTooLong * settings.maxSide;
-    int parts = tooLong ? 8 : counts.x * counts.y * counts.z;
-    for (int i = 0; i < parts; ++i) {
-        Part part = blockPart(sweep, power, counts, i);
-        if (tooLong) {
-            part = cornerPart(sweep, power, i);
-        }
-        depositPart(part);
+    for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
+        depositPart(blockPart(sweep, power, counts, i));
     }
 }
 
@@ -225,5 +176,11 @@ void main() {
         sweep.share[i] = patches[slot].corners[i].meanShare;
         sweep.lengths[i] = patches[slot].corners[i].arcLength / domainVoxel;
     }
-    depositSweep(sweep, patches[slot].power);
+    float sideU = longerOf(sweep, 0, 1, 3, 2);
+    float sideV = longerOf(sweep, 0, 3, 1, 2);
+    if (max(sideU, sideV) > kTooLong * settings.maxSide) {
+        listForCorners(slot);
+        return;
+    }
+    depositSweep(sweep, patches[slot].power, sideU, sideV);
 }

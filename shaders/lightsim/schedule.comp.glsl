@@ -33,6 +33,8 @@ void beginRound() {
     queue.stepsHigh += queue.stepsLow < before ? 1u : 0u;
     queue.particleGroups = uvec3(groupsFor(4u * queue.liveCount), 1u, 1u);
     queue.patchGroups = uvec3(groupsFor(queue.liveCount), 1u, 1u);
+    queue.cornersCount = 0u;
+    queue.cornersGroups = uvec3(0u, 1u, 1u);
     queue.retireCount = 0u;
     queue.retireGroups = uvec3(0u, 1u, 1u);
     queue.splitCount = 0u;

@@ -112,7 +112,8 @@ struct LaunchRecord {
 #define RETIRE_LIST 3u
 #define SPLIT_LIST 4u         // slot, and a bit for the side to split
 #define SPLIT_TARGET_LIST 5u  // slot of its second half
-#define POOL_LISTS 6u
+#define CORNERS_LIST 6u       // patches whose corners deposit on their own
+#define POOL_LISTS 7u
 #define SPLIT_ALONG_U 0x80000000u
 
 // Counters of the pool.
@@ -123,6 +124,8 @@ struct QueueState {
     uint nextLiveCount;
     uvec3 emitGroups;       // indirect dispatch: a corner of a new patch an invocation
     uint emitCount;
+    uvec3 cornersGroups;    // indirect dispatch: a corner of a listed patch an invocation
+    uint cornersCount;
     uvec3 retireGroups;     // indirect dispatch: a listed patch an invocation
     uint retireCount;
     uvec3 splitGroups;      // indirect dispatch: a new corner of a listed patch an invocation
@@ -166,7 +169,7 @@ static_assert(sizeof(LaunchFrame) == 96 && offsetof(LaunchFrame, strength) == 64
 static_assert(sizeof(Particle) == 160 && offsetof(Particle, nStart) == 96);
 static_assert(sizeof(WavefrontPatch) == 688 && offsetof(WavefrontPatch, power) == 656);
 static_assert(sizeof(LaunchRecord) == 32);
-static_assert(sizeof(QueueState) == 144 && offsetof(QueueState, recordCount) == 80);
+static_assert(sizeof(QueueState) == 160 && offsetof(QueueState, recordCount) == 96);
 static_assert(sizeof(BakeSettings) == 48);
 } // namespace eikonal::bake
 #endif

@@ -13,6 +13,7 @@ test::Members queueStateMembers() {
         EIKONAL_MEMBER(bake::QueueState, particleGroups), EIKONAL_MEMBER(bake::QueueState, liveCount),
         EIKONAL_MEMBER(bake::QueueState, patchGroups), EIKONAL_MEMBER(bake::QueueState, nextLiveCount),
         EIKONAL_MEMBER(bake::QueueState, emitGroups), EIKONAL_MEMBER(bake::QueueState, emitCount),
+        EIKONAL_MEMBER(bake::QueueState, cornersGroups), EIKONAL_MEMBER(bake::QueueState, cornersCount),
         EIKONAL_MEMBER(bake::QueueState, retireGroups), EIKONAL_MEMBER(bake::QueueState, retireCount),
         EIKONAL_MEMBER(bake::QueueState, splitGroups), EIKONAL_MEMBER(bake::QueueState, splitCount),
         EIKONAL_MEMBER(bake::QueueState, recordCount), EIKONAL_MEMBER(bake::QueueState, recordTake),
