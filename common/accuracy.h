@@ -12,4 +12,8 @@ constexpr double kAutoStepVoxels = 0.75;
 
 inline double stepVoxelsOf(const Accuracy& accuracy) { return accuracy.stepVoxels.value_or(kAutoStepVoxels); }
 
+/// Throws badInput for a method that scene files can name and this version does not have yet: a scene that asks for it must
+/// not get another one in silence.
+void requireAvailable(const Scene& scene);
+
 } // namespace eikonal

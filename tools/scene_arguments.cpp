@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "common/accuracy.h"
 #include "common/scene_toml.h"
 
 namespace eikonal {
@@ -69,6 +70,10 @@ void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOpti
     command.add_option_function<std::string>(option.names, push, option.help)->type_name(option.metavariable);
 }
 
-Scene sceneOf(const SceneArguments& arguments) { return loadScene(arguments.file, arguments.overrides); }
+Scene sceneOf(const SceneArguments& arguments) {
+    Scene scene = loadScene(arguments.file, arguments.overrides);
+    requireAvailable(scene);
+    return scene;
+}
 
 } // namespace eikonal

@@ -31,7 +31,7 @@ void addNumberKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOp
 /// WxH, as an array of two integers.
 void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option);
 
-/// The scene with its overrides. Throws badInput as loadScene.
+/// The scene with its overrides. Throws badInput as loadScene and requireAvailable.
 Scene sceneOf(const SceneArguments& arguments);
 
 } // namespace eikonal

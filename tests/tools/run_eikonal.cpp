@@ -110,7 +110,7 @@ std::vector<std::string> shippedScene(const std::string& name, const TemporaryFo
         const std::string mesh = folder.file("trefoil.obj");
         const std::string volume = folder.file("trefoil.vdb");
         const RunResult figure = runEikonal({"figure", "-o", mesh});
-        const RunResult voxelize = runEikonal({"voxelize", mesh, "-o", volume, "--ior", "1.54", "--absorption", "0.5,2,7",
+        const RunResult voxelize = runEikonal({"voxelize", mesh, "-o", volume, "--ior", "1.54", "--absorption", "0.4,1.6,5",
                                                "--resolution", "64"});
         if (figure.exitCode != 0 || voxelize.exitCode != 0) {
             throw std::runtime_error("the figure of " + name + " cannot be made: " + figure.err + voxelize.err);

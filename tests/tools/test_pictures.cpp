@@ -68,6 +68,6 @@ TEST_P(Picture, LooksLikeTheGallery) {
 
 INSTANTIATE_TEST_SUITE_P(Gallery, Picture,
                          testing::Values("glass_sphere", "amber_figure", "wine_glass", "luneburg", "fog_point_light"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& picture) { return picture.param; });
 
 } // namespace eikonal::test

@@ -1,0 +1,33 @@
+#include "common/accuracy.h"
+
+#include <fmt/core.h>
+
+#include "common/error.h"
+
+namespace eikonal {
+
+namespace {
+
+void require(const Scene& scene, bool available, const char* key, const char* expected) {
+    if (!available) {
+        throw badInput(fmt::format("{}: {}: expected {}; this version has no other yet", scene.source, key, expected));
+    }
+}
+
+} // namespace
+
+void requireAvailable(const Scene& scene) {
+    const Accuracy& asked = scene.accuracy;
+    require(scene, asked.integrator == Integrator::kAuto || asked.integrator == Integrator::kLeapfrog,
+            "accuracy.integrator", "'auto' or 'leapfrog'");
+    require(scene, asked.interpolation == Interpolation::kAuto || asked.interpolation == Interpolation::kLinear,
+            "accuracy.interpolation", "'auto' or 'linear'");
+    require(scene, asked.deposit == Deposit::kAuto || asked.deposit == Deposit::kSplat, "accuracy.deposit",
+            "'auto' or 'splat'");
+    require(scene, asked.directional == Directional::kAuto || asked.directional == Directional::kMean,
+            "accuracy.directional", "'auto' or 'mean'");
+    require(scene, asked.reflections == 0, "accuracy.reflections", "0");
+    require(scene, !scene.environment.bake, "environment.bake", "false");
+}
+
+} // namespace eikonal
