@@ -8,6 +8,7 @@
 #include "lightsim/emit.h"
 #include "lightsim/ledger.h"
 #include "lightsim/settings.h"
+#include "lightsim/tubes/tube_bake.h"
 #include "lightsim/wavefront.h"
 
 namespace eikonal {
@@ -27,19 +28,22 @@ std::vector<std::string> definesOf(const GpuFields& gpuFields, int bands) {
     return defines;
 }
 
+/// The method of 2007 rather than ray tubes.
+bool usesPatches(const Accuracy& accuracy) { return accuracy.deposit == Deposit::kSplat; }
+
 bool isFinished(const bake::QueueState& state, const bake::BakeSettings& settings) {
     return state.liveCount == 0 && state.nextLiveCount == 0 && state.recordCount == 0 &&
            state.nextCell >= settings.cellCount;
 }
 
-/// The method: emit, propagate, deposit, refine, until no light is left.
-void propagateWavefront(const bake::Wavefront& wavefront, const bake::Deposit& deposit,
+/// The method of 2007: emit, propagate, deposit, refine, until no light is left.
+void propagateWavefront(const bake::Wavefront& wavefront, const bake::Deposit& deposit, const bake::LightSums& sums,
                         const bake::BakeSettings& settings, const BakeOptions& options) {
     for (;;) {
         for (int round = 0; round < kRoundsPerLook; ++round) {
             wavefront.emit();
             wavefront.propagate();
-            deposit.add(wavefront);
+            deposit.add(wavefront, sums);
             wavefront.refine();
         }
         const bake::QueueState state = wavefront.state();
@@ -68,31 +72,65 @@ BakedLight darkness(const Lattice& lattice) {
     return {lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
 }
 
+/// What a bake needs besides the context.
+struct Plan {
+    const Fields& fields;
+    const Accuracy& accuracy;
+    std::vector<std::string> defines;
+    int bands;
+    const bake::LaunchGrids& grids;
+    bake::Criteria criteria;
+    bake::BakeSettings settings;
+    const BakeOptions& options;
+};
+
+/// Adds the light to the layers [begin, end) of the sums.
+using Propagate = std::function<void(int begin, int end, const bake::LightSums& sums)>;
+
 /// Propagates the light once per slab of voxel layers, so that the sums never need more than one block each.
-void bakeSlabs(const gpu::Context& context, const Fields& fields, const std::vector<std::string>& defines, int bands,
-               const bake::LaunchGrids& grids, bake::BakeSettings settings, const BakeOptions& options,
-               BakeResult& result) {
-    const std::size_t blockBytes = options.maxBlockBytes > 0 ? options.maxBlockBytes : context.limits().maxStorageBlockBytes;
-    const int depth = fields.lattice.size.z;
-    const int layers = bake::layersPerSlab(fields.lattice, blockBytes);
-    bake::Wavefront wavefront(context, defines, grids, settings);
-    bake::Deposit deposit(context, defines, fields.lattice, layers, bands);
-    result.statistics.memoryBytes += wavefront.bytes() + deposit.bytes();
-    const double irradianceUnit = 1.0 / (double(settings.depositScale) * fields.lattice.voxel * fields.lattice.voxel);
-    for (int begin = 0; begin < depth; begin += layers) {
+void bakeSlabs(const gpu::Context& context, const Plan& plan, const Propagate& propagate, BakeResult& result) {
+    const Lattice& lattice = plan.fields.lattice;
+    const std::size_t blockBytes =
+        plan.options.maxBlockBytes > 0 ? plan.options.maxBlockBytes : context.limits().maxStorageBlockBytes;
+    const int layers = bake::layersPerSlab(lattice, blockBytes);
+    bake::LightSums sums(context, lattice, layers, plan.bands);
+    result.statistics.memoryBytes += sums.bytes();
+    const double irradianceUnit = 1.0 / (double(plan.settings.depositScale) * lattice.voxel * lattice.voxel);
+    for (int begin = 0; begin < lattice.size.z; begin += layers) {
         const auto start = Clock::now();
-        settings.slabBegin = begin;
-        settings.slabEnd = std::min(begin + layers, depth);
-        wavefront.restart(settings);
-        deposit.clear();
-        propagateWavefront(wavefront, deposit, settings, options);
+        const int end = std::min(begin + layers, lattice.size.z);
+        sums.clear();
+        propagate(begin, end, sums);
         result.statistics.seconds.propagate += secondsSince(start);
         const auto readStart = Clock::now();
-        deposit.read(begin, settings.slabEnd, irradianceUnit, fields.opaque, result.light);
+        sums.read(begin, end, irradianceUnit, plan.fields.opaque, result.light);
         result.statistics.seconds.read += secondsSince(readStart);
     }
+}
+
+void bakeByPatches(const gpu::Context& context, const Plan& plan, BakeResult& result) {
+    bake::Wavefront wavefront(context, plan.defines, plan.grids, plan.settings);
+    const bake::Deposit deposit(context, plan.defines);
+    result.statistics.memoryBytes += wavefront.bytes();
+    bakeSlabs(context, plan, [&](int begin, int end, const bake::LightSums& sums) {
+        bake::BakeSettings settings = plan.settings;
+        settings.slabBegin = begin;
+        settings.slabEnd = end;
+        wavefront.restart(settings);
+        propagateWavefront(wavefront, deposit, sums, settings, plan.options);
+    }, result);
     result.statistics.patches = countsOf(wavefront.state());
-    bake::readLedger(wavefront.ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
+    bake::readLedger(wavefront.ledger(), 1.0 / double(plan.settings.ledgerScale), result.statistics.energy);
+}
+
+void bakeByTubes(const gpu::Context& context, const Plan& plan, BakeResult& result) {
+    bake::TubeBake tubes(context, plan.defines, plan.grids, plan.settings,
+                         bake::tubeSettingsOf(plan.accuracy, plan.grids, plan.fields), plan.options.tubeVertices, plan.criteria.cullShare);
+    result.statistics.memoryBytes += tubes.bytes();
+    bakeSlabs(context, plan, [&](int begin, int end, const bake::LightSums& sums) {
+        tubes.propagate(begin, end, sums, result.statistics.patches, plan.options.progress);
+    }, result);
+    bake::readLedger(tubes.ledger(), 1.0 / double(plan.settings.ledgerScale), result.statistics.energy);
 }
 
 } // namespace
@@ -113,9 +151,10 @@ BakeResult bakeScene(const gpu::Context& context, const Scene& scene, const Fiel
             result.statistics.memoryBytes += bytes;
         }
         const int bands = bake::bandsOf(scene, fields, effects);
+        const Plan plan{fields, scene.accuracy, definesOf(gpuFields, bands), bands, grids, criteria,
+                        bake::settingsOf(criteria, grids, fields, options), options};
         result.statistics.seconds.upload = secondsSince(start);
-        bakeSlabs(context, fields, definesOf(gpuFields, bands), bands, grids,
-                  bake::settingsOf(criteria, grids, fields, options), options, result);
+        (usesPatches(scene.accuracy) ? bakeByPatches : bakeByTubes)(context, plan, result);
         bake::integrateDeposits(fields, result.light, result.statistics.energy);
     }
     context.throwIfError();

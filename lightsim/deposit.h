@@ -1,36 +1,20 @@
 #pragma once
-// Deposit: fixed-point sums of power × path length over a slab of voxel layers, and the grids that they make.
+// Deposit: patches leave power × path length in the voxels that they sweep.
 
-#include <vector>
-
-#include "common/baked_light.h"
-#include "common/fields.h"
+#include "lightsim/light_sums.h"
 #include "lightsim/wavefront.h"
 
 namespace eikonal::bake {
 
-/// Sums for the voxel layers [begin, begin + layers) of a lattice; `layers` is bounded by the largest storage block.
 class Deposit {
 public:
-    Deposit(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice, int layers,
-            int bands);
+    Deposit(const gpu::Context& context, const std::vector<std::string>& defines);
 
-    void clear();
     /// Adds the last step of every live patch.
-    void add(const Wavefront& wavefront) const;
-    /// Writes the layers [begin, end) of the grids; `unit` is the irradiance of one fixed-point unit in a free voxel.
-    /// `opaque` is empty or the coverage by opaque matter: light is in the rest of the voxel.
-    void read(int begin, int end, double unit, const DenseGrid<float>& opaque, BakedLight& light) const;
-    std::size_t bytes() const;
+    void add(const Wavefront& wavefront, const LightSums& sums) const;
 
 private:
-    int bands_;
-    std::size_t voxelsPerLayer_;
-    std::vector<gpu::Buffer> flux_, irradiance_;
     gpu::Kernel interpolated_, corners_;
 };
-
-/// Voxel layers whose sums fit in a storage block of `blockBytes`; at least 1.
-int layersPerSlab(const Lattice& lattice, std::size_t blockBytes);
 
 } // namespace eikonal::bake

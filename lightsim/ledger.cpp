@@ -1,5 +1,6 @@
 #include "lightsim/ledger.h"
 
+#include "lightsim/light_sums.h"
 #include "shaders/shared/bake_blocks.h"
 
 namespace eikonal {
@@ -15,8 +16,16 @@ glm::dvec3 EnergyLedger::balance() const {
 
 namespace bake {
 
-void readLedger(const std::vector<double>& rows, double unit, EnergyLedger& ledger) {
-    const auto row = [&](std::size_t i) { return glm::dvec3(rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]) * unit; };
+void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger) {
+    const auto words = rows.download<std::uint32_t>(LEDGER_ROWS * 3 * 2);
+    const auto row = [&](std::size_t i) {
+        glm::dvec3 power;
+        for (std::size_t band = 0; band < 3; ++band) {
+            const std::size_t word = 2 * (3 * i + band);
+            power[int(band)] = fixedPointValue(words[word], words[word + 1]) * unit;
+        }
+        return power;
+    };
     ledger.entered = row(LEDGER_ENTERED);
     ledger.absorbedOpaque = row(LEDGER_OPAQUE);
     ledger.absorbed = row(LEDGER_ABSORBED) + ledger.absorbedOpaque;

@@ -13,6 +13,11 @@ constexpr double kDefaultTolerance = 0.02;
 constexpr double kMaxDiagonals = 2.5;
 // Kernels trace a whole path in one dispatch; software renderers end loops at 65535 iterations.
 constexpr double kMaxSteps = 49999.0;
+// Of the launch grids that ray tubes start from, with rays half as far apart.
+constexpr double kTubeCellVoxels = 8.0;
+// Tubes interpolate between rays where patches that are not split deposit along them: they can stop at that many times the
+// power.
+constexpr double kTubeSplitVoxels = 10.0;
 constexpr std::uint32_t kRecordCapacity = 1u << 20;
 
 struct IorRange {
@@ -50,9 +55,9 @@ Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
     // A step is at most one voxel of length where n is least; more of them gain nothing over the floor that trilinear
     // interpolation sets (docs/physics.md, section 1).
     criteria.opticalStep = accuracy.stepVoxels.value_or(1.0) * voxel * std::min(1.0, iorRangeOf(fields).low);
-    criteria.maxSide = refinement * voxel;
+    criteria.maxSide = accuracy.deposit == eikonal::Deposit::kSplat ? refinement * voxel : kTubeCellVoxels * voxel;
     // The light's mean power per voxel of a cross-section, times the share of it that may be misplaced by not splitting.
-    criteria.splitShare = accuracy.tolerance / (longest * longest);
+    criteria.splitShare = accuracy.tolerance / (longest * longest) * (accuracy.deposit == eikonal::Deposit::kSplat ? 1.0 : kTubeSplitVoxels);
     criteria.cullShare = 1e-3 * accuracy.tolerance;
     criteria.maxOpticalPath = kMaxDiagonals / refinement * glm::length(fields.lattice.extent()) *
                               std::max(1.0, iorRangeOf(fields).high);
@@ -66,17 +71,34 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
     settings.maxSide = float(criteria.maxSide);
     settings.cullShare = float(criteria.cullShare);
     settings.maxSteps = std::uint32_t(std::min(kMaxSteps, std::ceil(criteria.maxOpticalPath / criteria.opticalStep)));
-    // The largest splat, a whole cell of a launch grid over four voxels of path, fits one signed word; all the power along
-    // the longest path into a single voxel stays below 2^60 units, and flux sums three bands.
+    // What a voxel's area of a launch grid carries over four voxels of path fits one signed word, three bands together; all
+    // the power along the longest path into a single voxel stays below 2^60 units.
     const double power = std::max(grids.strongestPower, 1e-300);
     const double longestPathVoxels = settings.maxSteps * criteria.opticalStep / fields.lattice.voxel /
                                      std::min(1.0, iorRangeOf(fields).low);
-    settings.depositScale = float(std::min(std::exp2(30.0) / (3.0 * 4.0 * grids.strongestCellPower),
+    const double voxelsPerCell = std::pow(std::max(1.0, criteria.maxSide / fields.lattice.voxel), 2.0);
+    settings.depositScale = float(std::min(std::exp2(30.0) * voxelsPerCell / (3.0 * 4.0 * grids.strongestCellPower),
                                            std::exp2(60.0) / (power * longestPathVoxels)));
     settings.ledgerScale = float(std::exp2(52.0) / power);
     settings.cellCount = grids.cellCount;
     settings.capacity = std::max(8u, options.poolPatches);
     settings.recordCapacity = kRecordCapacity;
+    return settings;
+}
+
+TubeSettings tubeSettingsOf(const Accuracy& accuracy, const LaunchGrids& grids, const Fields& fields) {
+    const double voxel = fields.lattice.voxel;
+    const double refinement = std::sqrt(accuracy.tolerance / kDefaultTolerance);
+    TubeSettings settings{};
+    settings.maxDeviation = float(0.2 * refinement * voxel);
+    settings.maxShareDeviation = float(0.05 * refinement);
+    settings.resolvedSide = float(0.5 * voxel);
+    settings.maxUnevenness = 0.2f;
+    settings.samplesPerVoxel = accuracy.tolerance < 0.5 * kDefaultTolerance ? 3u : 2u;
+    const glm::ivec3 size = fields.lattice.size;
+    const double longest = std::max({size.x, size.y, size.z});
+    settings.pointPower = float(0.05 * accuracy.tolerance * grids.strongestPower / (longest * longest));
+    settings.nearMargin = float(kTubeCellVoxels * voxel);
     return settings;
 }
 

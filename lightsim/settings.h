@@ -4,13 +4,14 @@
 #include "common/fields.h"
 #include "lightsim/bake.h"
 #include "lightsim/emit.h"
+#include "shaders/shared/tube_blocks.h"
 
 namespace eikonal::bake {
 
 /// Sizes and thresholds that follow from the scene's tolerance.
 struct Criteria {
     double opticalStep;  ///< [scene units]
-    double maxSide;      ///< of a patch [scene units]
+    double maxSide;      ///< of a patch; of a cell of the launch grids for ray tubes [scene units]
     double splitShare;   ///< of a light's power: patches with less left are not split
     double cullShare;    ///< of a patch's launched power: patches with less left end
     double maxOpticalPath;  ///< patches that have come further end [scene units]
@@ -21,6 +22,9 @@ Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields);
 /// The uniform block of the kernels, fixed-point scales chosen so that no sum can overflow.
 BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, const Fields& fields,
                         const BakeOptions& options);
+
+/// What the tolerance means for ray tubes.
+TubeSettings tubeSettingsOf(const Accuracy& accuracy, const LaunchGrids& grids, const Fields& fields);
 
 /// 1 when every light is of one colour and every optical constant is grey, else 3.
 int bandsOf(const Scene& scene, const Fields& fields, const EffectSet& effects);

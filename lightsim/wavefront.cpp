@@ -101,15 +101,6 @@ std::vector<WavefrontPatch> Wavefront::livePatches() const {
     return live;
 }
 
-std::vector<double> Wavefront::ledger() const {
-    const auto words = ledger_.download<std::uint32_t>(LEDGER_ROWS * 3 * 2);
-    std::vector<double> rows(LEDGER_ROWS * 3);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i] = fixedPointValue(words[2 * i], words[2 * i + 1]);
-    }
-    return rows;
-}
-
 std::size_t Wavefront::bytes() const {
     return patches_.bytes() + queue_.bytes() + frames_.bytes() + records_.bytes() + ledger_.bytes() + settings_.bytes();
 }

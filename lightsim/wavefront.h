@@ -32,8 +32,8 @@ public:
     QueueState state() const;
     /// The patches that refine has left alive, in no particular order.
     std::vector<WavefrontPatch> livePatches() const;
-    /// Row by row, three bands each, in units of BakeSettings::ledgerScale.
-    std::vector<double> ledger() const;
+    /// For readLedger; in units of BakeSettings::ledgerScale.
+    const gpu::Buffer& ledger() const { return ledger_; }
     std::size_t bytes() const;
 
 private:
@@ -43,10 +43,5 @@ private:
     gpu::Buffer patches_, queue_, frames_, records_, ledger_, settings_;
     gpu::Kernel planEmission_, emit_, beginRound_, propagate_, refine_, retire_, split_;
 };
-
-/// A sum of two words, as kernels keep it (shaders/lightsim/fixed_point.glsl).
-inline double fixedPointValue(std::uint32_t low, std::uint32_t high) {
-    return double(std::int64_t((std::uint64_t(high) << 32) | low));
-}
 
 } // namespace eikonal::bake

@@ -1,5 +1,5 @@
-// Blocks that every kernel of the bake reads: the pool of patches, its queue, and the settings.
-#include "shared/bake_blocks.h"
+// The pool of patches and its queue.
+#include "lightsim/settings.glsl"
 
 layout(std430, binding = BAKE_PATCHES_BINDING) buffer PatchBlock {
     WavefrontPatch patches[];
@@ -8,10 +8,6 @@ layout(std430, binding = BAKE_PATCHES_BINDING) buffer PatchBlock {
 layout(std430, binding = BAKE_QUEUE_BINDING) buffer QueueBlock {
     QueueState queue;
     uint slotLists[];
-};
-
-layout(std140, binding = BAKE_SETTINGS_BINDING) uniform SettingsBlock {
-    BakeSettings settings;
 };
 
 uint groupsFor(uint invocations) {

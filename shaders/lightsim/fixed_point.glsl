@@ -16,6 +16,18 @@ uvec2 largeFixedPoint(float value) {
     return uvec2((uint(int(middle)) << 16) | uint(int(rest - middle * 65536.0)), uint(int(high)));
 }
 
+// The same for |value| < 2^63.
+uvec2 wideFixedPoint(float value) {
+    if (abs(value) < 2147483000.0) {
+        return fixedPoint(value);
+    }
+    uvec2 words = largeFixedPoint(abs(value));
+    if (value < 0.0) {
+        words = ~words + uvec2(1u, words.x == 0u ? 1u : 0u);
+    }
+    return words;
+}
+
 // Adds the words to the element `index` of a buffer of uvec2.
 #define ADD_FIXED(sums, index, words)                                              \
     {                                                                              \

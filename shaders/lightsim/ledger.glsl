@@ -14,25 +14,30 @@ void enterInLedger(int row, vec3 power) {
     }
 }
 
-// What the corners of a patch did since their launch; each stands for a quarter of its power. What they still carry inside
-// the domain is given up.
+struct EnergyRows {
+    vec3 share[LEDGER_ROWS];  // of the power launched along a ray
+};
+
+// What a ray did since its launch. What it still carries inside the domain is given up.
+EnergyRows rowsOf(Particle ray) {
+    vec3 left = remainingShare(ray);
+    EnergyRows rows;
+    rows.share[LEDGER_ENTERED] = vec3(ray.enteredShare);
+    rows.share[LEDGER_ABSORBED] = ray.absorbedShare;
+    rows.share[LEDGER_SCATTERED] = ray.scatteredShare;
+    rows.share[LEDGER_REFLECTED] = ray.reflectedShare;
+    rows.share[LEDGER_EXITED] = ray.status == PARTICLE_EXITED ? left : vec3(0.0);
+    rows.share[LEDGER_OPAQUE] = ray.status == PARTICLE_BLOCKED ? left : vec3(0.0);
+    rows.share[LEDGER_CULLED] = ray.status == PARTICLE_INSIDE ? left : vec3(0.0);
+    return rows;
+}
+
+// Each corner of a patch stands for a quarter of its power.
 void enterPatch(WavefrontPatch wavefront) {
-    vec3 rows[LEDGER_ROWS];
-    for (int row = 0; row < LEDGER_ROWS; ++row) {
-        rows[row] = vec3(0.0);
-    }
     for (int i = 0; i < 4; ++i) {
-        Particle corner = wavefront.corners[i];
-        vec3 left = remainingShare(corner);
-        rows[LEDGER_ENTERED] += vec3(corner.enteredShare);
-        rows[LEDGER_ABSORBED] += corner.absorbedShare;
-        rows[LEDGER_SCATTERED] += corner.scatteredShare;
-        rows[LEDGER_REFLECTED] += corner.reflectedShare;
-        rows[LEDGER_EXITED] += corner.status == PARTICLE_EXITED ? left : vec3(0.0);
-        rows[LEDGER_OPAQUE] += corner.status == PARTICLE_BLOCKED ? left : vec3(0.0);
-        rows[LEDGER_CULLED] += corner.status == PARTICLE_INSIDE ? left : vec3(0.0);
-    }
-    for (int row = 0; row < LEDGER_ROWS; ++row) {
-        enterInLedger(row, 0.25 * wavefront.power * rows[row]);
+        EnergyRows rows = rowsOf(wavefront.corners[i]);
+        for (int row = 0; row < LEDGER_ROWS; ++row) {
+            enterInLedger(row, 0.25 * wavefront.power * rows.share[row]);
+        }
     }
 }

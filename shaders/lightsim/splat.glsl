@@ -1,16 +1,7 @@
-// The sums that light is deposited into: power x path length in voxels by band, and the same times the direction of travel.
+// What splats of patches share: the sums, and the part of a voxel that light can be in.
 #include "lightsim/bake.glsl"
+#include "lightsim/sums.glsl"
 #include "fields/fields.glsl"
-#include "lightsim/fixed_point.glsl"
-
-layout(std430, binding = BAKE_FLUX_BINDING) buffer FluxX { uvec2 fluxX[]; };
-layout(std430, binding = BAKE_FLUX_BINDING + 1) buffer FluxY { uvec2 fluxY[]; };
-layout(std430, binding = BAKE_FLUX_BINDING + 2) buffer FluxZ { uvec2 fluxZ[]; };
-layout(std430, binding = BAKE_IRRADIANCE_BINDING) buffer Irradiance0 { uvec2 irradiance0[]; };
-#if BANDS == 3
-layout(std430, binding = BAKE_IRRADIANCE_BINDING + 1) buffer Irradiance1 { uvec2 irradiance1[]; };
-layout(std430, binding = BAKE_IRRADIANCE_BINDING + 2) buffer Irradiance2 { uvec2 irradiance2[]; };
-#endif
 
 // Share of a voxel that light can be in.
 float freeShare(ivec3 voxel) {
@@ -18,31 +9,5 @@ float freeShare(ivec3 voxel) {
     return 1.0 - texelFetch(opaqueGrid, voxel, 0).a;
 #else
     return 1.0;
-#endif
-}
-
-// Adds a part of what a voxel gets: fixed-point units of power x length, and of flux x length.
-void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
-    if (voxel.z < settings.slabBegin || voxel.z >= settings.slabEnd) {
-        return;
-    }
-    uint index = (uint(voxel.z - settings.slabBegin) * uint(domainSize.y) + uint(voxel.y)) * uint(domainSize.x) +
-                 uint(voxel.x);
-    ADD_FIXED(fluxX, index, fixedPoint(flux.x))
-    ADD_FIXED(fluxY, index, fixedPoint(flux.y))
-    ADD_FIXED(fluxZ, index, fixedPoint(flux.z))
-    ADD_FIXED(irradiance0, index, fixedPoint(powerLength.x))
-#if BANDS == 3
-    ADD_FIXED(irradiance1, index, fixedPoint(powerLength.y))
-    ADD_FIXED(irradiance2, index, fixedPoint(powerLength.z))
-#endif
-}
-
-// The sum over bands, along a direction.
-vec3 fluxOf(vec3 powerLength, vec3 travel) {
-#if BANDS == 3
-    return travel * (powerLength.x + powerLength.y + powerLength.z);
-#else
-    return travel * powerLength.x;
 #endif
 }

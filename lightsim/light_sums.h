@@ -1,0 +1,39 @@
+#pragma once
+// Fixed-point sums of power × path length over a slab of voxel layers, and the grids that they make.
+
+#include <vector>
+
+#include "common/baked_light.h"
+#include "common/fields.h"
+#include "common/gpu/objects.h"
+
+namespace eikonal::bake {
+
+/// Sums for the voxel layers [begin, begin + layers) of a lattice; `layers` is bounded by the largest storage block.
+class LightSums {
+public:
+    LightSums(const gpu::Context& context, const Lattice& lattice, int layers, int bands);
+
+    void clear();
+    /// To the bindings of shaders/lightsim/sums.glsl.
+    void bind() const;
+    /// Writes the layers [begin, end) of the grids; `unit` is the irradiance of one fixed-point unit in a free voxel.
+    /// `opaque` is empty or the coverage by opaque matter: light is in the rest of the voxel.
+    void read(int begin, int end, double unit, const DenseGrid<float>& opaque, BakedLight& light) const;
+    std::size_t bytes() const;
+
+private:
+    int bands_;
+    std::size_t voxelsPerLayer_;
+    std::vector<gpu::Buffer> flux_, irradiance_;
+};
+
+/// Voxel layers whose sums fit in a storage block of `blockBytes`; at least 1.
+int layersPerSlab(const Lattice& lattice, std::size_t blockBytes);
+
+/// A sum of two words, as kernels keep it (shaders/lightsim/fixed_point.glsl).
+inline double fixedPointValue(std::uint32_t low, std::uint32_t high) {
+    return double(std::int64_t((std::uint64_t(high) << 32) | low));
+}
+
+} // namespace eikonal::bake

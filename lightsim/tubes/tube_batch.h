@@ -1,0 +1,64 @@
+#pragma once
+// A batch of cells of the launch grids, followed from the source until their light has left the domain.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "lightsim/bake.h"
+#include "lightsim/tubes/launch_mesh.h"
+#include "lightsim/tubes/tube_kernels.h"
+
+namespace eikonal::bake {
+
+/// Cells [firstCell, firstCell + cellCount) of all launch grids; deposits of windows before `firstDeposit` are in the sums.
+struct CellRange {
+    std::uint32_t firstCell;
+    std::uint32_t cellCount;
+    std::uint32_t firstDeposit = 0;
+};
+
+class TubeBatch {
+public:
+    TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, const CellRange& cells, std::uint32_t capacity);
+
+    void begin(std::uint32_t window);  ///< of optical path
+    void propagate();                  ///< all rays through the window
+    /// Until the window is resolved. False: a batch of several cells needs more rays than there is room for.
+    bool refine();
+    void conform();                    ///< closes gaps between nodes of different size
+    void deposit(const LightSums& sums, PatchCounts& counts);
+    /// Whether less than this share of the power launched is left in the domain.
+    bool isFinished(double share);
+    void tally();
+
+    std::uint32_t vertexCount() const { return std::uint32_t(mesh_.vertices.size()); }
+    std::uint32_t refusedHalvings() const { return mesh_.refusedHalvings(); }
+    std::uint32_t nodeCount() const { return std::uint32_t(mesh_.nodes.size()); }
+
+private:
+    bool markAlive(std::uint32_t node);
+    void placeNew();
+    void traceNew(const std::vector<std::uint32_t>& edges, std::uint32_t firstNode);
+    void measure(const std::vector<std::uint32_t>& edges, const std::vector<std::uint32_t>& nodes);
+    void conformWhere(const std::function<bool(std::uint32_t)>& wanted);
+    void listJobs(std::uint32_t node, Samples steps, std::vector<TubeJob>& jobs) const;
+    Samples stepsNear(std::uint32_t node) const;
+    Samples bentSteps(std::uint32_t node) const;
+    void findBends();
+    std::vector<glm::dvec4> vertexPowers() const;
+
+    TubeKernels& kernels_;
+    const LaunchGrids& grids_;
+    std::uint32_t capacity_;
+    LaunchMesh mesh_;
+    std::uint32_t rootCount_;
+    std::uint32_t placedVertices_ = 0, placedNodes_ = 0;
+    std::vector<std::uint8_t> isActive_;  ///< vertices that have a track in this window
+    std::vector<std::uint8_t> hasEnded_;  ///< vertices
+    std::vector<std::uint8_t> isAlive_;   ///< nodes
+    std::vector<TubePresence> presences_;
+    std::vector<Samples> bends_;          ///< steps at which a vertex does not go straight on
+};
+
+} // namespace eikonal::bake

@@ -1,0 +1,165 @@
+#include "lightsim/tubes/tube_kernels.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace eikonal::bake {
+
+namespace {
+
+// The trace's answer begins with its count of field evaluations.
+constexpr std::size_t kPresenceHeader = 4 * sizeof(std::uint32_t);
+constexpr std::size_t kCellsPerJob = 4;
+
+std::size_t itemBytes(std::size_t capacity) {
+    return std::max(capacity * sizeof(TubeConformity), TUBE_MAX_JOBS * sizeof(TubeJob));
+}
+
+} // namespace
+
+TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
+                         const BakeSettings& settings, const TubeSettings& tubeSettings, std::uint32_t capacity)
+    : bakeSettings_(settings), tubeSettings_(tubeSettings),
+      vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
+      positions_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube positions"),
+      shares_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube shares"),
+      frames_(context, grids.frames.size() * sizeof(LaunchFrame), "launch frames"),
+      nodes_(context, capacity * sizeof(TubeNode), "tube nodes"), items_(context, itemBytes(capacity), "tube items"),
+      presences_(context, kPresenceHeader + capacity * sizeof(TubePresence), "tube presences"),
+      measures_(context, capacity * sizeof(TubeMeasure), "tube measures"),
+      cells_(context, TUBE_MAX_JOBS * kCellsPerJob * sizeof(TubeCell), "tube cells"),
+      parts_(context, TUBE_LISTS * (sizeof(TubePartList) + TUBE_LIST_PARTS * sizeof(std::uint32_t)), "tube parts"),
+      ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
+      settingsBlock_(context, sizeof(BakeSettings), "bake settings"),
+      tubeBlock_(context, sizeof(TubeSettings), "tube settings"),
+      trace_(context, "lightsim/tubes/trace.comp.glsl", defines),
+      measureEdges_(context, "lightsim/tubes/measure_edges.comp.glsl", defines),
+      measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines),
+      conform_(context, "lightsim/tubes/conform.comp.glsl", defines),
+      sort_(context, "lightsim/tubes/sort_cells.comp.glsl", defines),
+      gather_(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
+      points_(context, "lightsim/tubes/deposit_points.comp.glsl", defines),
+      rays_(context, "lightsim/tubes/deposit_rays.comp.glsl", defines),
+      tally_(context, "lightsim/tubes/tally.comp.glsl", defines) {
+    frames_.upload(std::span<const LaunchFrame>(grids.frames));
+    settingsBlock_.upload(bakeSettings_);
+    presences_.fill(0);
+    ledger_.fill(0);
+}
+
+void TubeKernels::setSlab(int begin, int end) {
+    bakeSettings_.slabBegin = begin;
+    bakeSettings_.slabEnd = end;
+    settingsBlock_.upload(bakeSettings_);
+}
+
+void TubeKernels::bindTracks() const {
+    vertices_.bindStorage(TUBE_VERTICES_BINDING);
+    positions_.bindStorage(TUBE_POSITIONS_BINDING);
+    shares_.bindStorage(TUBE_SHARES_BINDING);
+    frames_.bindStorage(TUBE_FRAMES_BINDING);
+    items_.bindStorage(TUBE_ITEMS_BINDING);
+    nodes_.bindStorage(TUBE_NODES_BINDING);
+}
+
+void TubeKernels::run(const gpu::Kernel& kernel, std::size_t items, std::size_t invocationsPerItem) {
+    tubeSettings_.itemCount = std::uint32_t(items);
+    tubeBlock_.upload(tubeSettings_);
+    settingsBlock_.bindUniform(BAKE_SETTINGS_BINDING);
+    tubeBlock_.bindUniform(TUBE_SETTINGS_BINDING);
+    const std::size_t invocations = items * invocationsPerItem;
+    kernel.dispatch({(invocations + BAKE_GROUP_SIZE - 1) / BAKE_GROUP_SIZE, 1, 1});
+}
+
+void TubeKernels::place(std::uint32_t first, std::span<const TubeVertex> vertices) {
+    vertices_.uploadBytes(first * sizeof(TubeVertex), vertices.data(), vertices.size_bytes());
+}
+
+void TubeKernels::placeNodes(std::uint32_t first, std::span<const TubeNode> nodes) {
+    nodes_.uploadBytes(first * sizeof(TubeNode), nodes.data(), nodes.size_bytes());
+}
+
+void TubeKernels::trace(std::span<const std::uint32_t> vertices) {
+    bindTracks();
+    items_.upload(vertices);
+    presences_.bindStorage(TUBE_RESULTS_BINDING);
+    run(trace_, vertices.size());
+}
+
+std::vector<TubeMeasure> TubeKernels::measureEdges(std::span<const TubeEdge> edges) {
+    bindTracks();
+    items_.upload(edges);
+    measures_.bindStorage(TUBE_RESULTS_BINDING);
+    run(measureEdges_, edges.size());
+    return measures_.download<TubeMeasure>(edges.size());
+}
+
+std::vector<TubeMeasure> TubeKernels::measureNodes(std::span<const std::uint32_t> nodes) {
+    bindTracks();
+    items_.upload(nodes);
+    measures_.bindStorage(TUBE_RESULTS_BINDING);
+    run(measureNodes_, nodes.size());
+    return measures_.download<TubeMeasure>(nodes.size());
+}
+
+void TubeKernels::conform(std::span<const TubeConformity> conformities) {
+    bindTracks();
+    items_.upload(conformities);
+    run(conform_, conformities.size());
+}
+
+std::vector<TubePresence> TubeKernels::presences(std::uint32_t count) const {
+    std::vector<TubePresence> result(count);
+    presences_.downloadBytes(kPresenceHeader, result.data(), count * sizeof(TubePresence));
+    return result;
+}
+
+void TubeKernels::deposit(std::span<const TubeJob> jobs, const LightSums& sums) {
+    for (std::size_t begin = 0; begin < jobs.size(); begin += TUBE_MAX_JOBS) {
+        depositChunk(jobs.subspan(begin, std::min<std::size_t>(TUBE_MAX_JOBS, jobs.size() - begin)), sums);
+    }
+}
+
+void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& sums) {
+    bindTracks();
+    items_.upload(jobs);
+    std::array<TubePartList, TUBE_LISTS> lists{};
+    lists.fill({{0, 1, 1}, 0});
+    parts_.upload(lists);
+    cells_.bindStorage(TUBE_SORT_RECORDS_BINDING);
+    parts_.bindStorage(TUBE_SORT_PARTS_BINDING);
+    run(sort_, jobs.size(), kCellsPerJob);
+    sums.bind();
+    cells_.bindStorage(TUBE_RECORDS_BINDING);
+    parts_.bindStorage(TUBE_PARTS_BINDING);
+    const gpu::Kernel* kernels[TUBE_LISTS] = {&gather_, &points_, &rays_};
+    for (std::size_t list = 0; list < TUBE_LISTS; ++list) {
+        kernels[list]->dispatchIndirect(parts_, list * sizeof(TubePartList) + offsetof(TubePartList, groups));
+    }
+}
+
+void TubeKernels::tally(std::span<const glm::vec4> powers) {
+    items_.upload(powers);
+    bindTracks();
+    ledger_.bindStorage(BAKE_LEDGER_BINDING);
+    items_.bindStorage(TUBE_RESULTS_BINDING);
+    run(tally_, powers.size());
+}
+
+std::uint64_t TubeKernels::fieldEvaluations() const {
+    std::array<std::uint32_t, 2> words;
+    presences_.downloadBytes(0, words.data(), sizeof words);
+    return (std::uint64_t(words[1]) << 32) | words[0];
+}
+
+std::size_t TubeKernels::bytes() const {
+    std::size_t sum = 0;
+    for (const gpu::Buffer* buffer : {&vertices_, &positions_, &shares_, &frames_, &nodes_, &items_, &presences_, &measures_,
+                                      &cells_, &parts_, &ledger_, &settingsBlock_, &tubeBlock_}) {
+        sum += buffer->bytes();
+    }
+    return sum;
+}
+
+} // namespace eikonal::bake

@@ -1,0 +1,58 @@
+#pragma once
+// The ray tubes of a launch mesh on the GPU: rays traced through a window of optical path, measured against each other,
+// made to conform, deposited.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/gpu/objects.h"
+#include "lightsim/emit.h"
+#include "lightsim/light_sums.h"
+#include "shaders/shared/tube_blocks.h"
+
+namespace eikonal::bake {
+
+class TubeKernels {
+public:
+    /// Room for `capacity` vertices.
+    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
+                const BakeSettings& settings, const TubeSettings& tubeSettings, std::uint32_t capacity);
+
+    void setSlab(int begin, int end);
+    void clearLedger() { ledger_.fill(0); }
+    void beginWindow(std::uint32_t firstStep) { tubeSettings_.firstStep = firstStep; }
+
+    /// Uploads vertices, not launched yet, from number `first` on.
+    void place(std::uint32_t first, std::span<const TubeVertex> vertices);
+    void placeNodes(std::uint32_t first, std::span<const TubeNode> nodes);
+    void trace(std::span<const std::uint32_t> vertices);
+    std::vector<TubeMeasure> measureEdges(std::span<const TubeEdge> edges);
+    std::vector<TubeMeasure> measureNodes(std::span<const std::uint32_t> nodes);
+    void conform(std::span<const TubeConformity> conformities);
+    /// Of all vertices, as their last trace left it.
+    std::vector<TubePresence> presences(std::uint32_t count) const;
+    /// Deposits nodes over steps.
+    void deposit(std::span<const TubeJob> jobs, const LightSums& sums);
+    /// Enters the rays' stories in the ledger; power by vertex and band.
+    void tally(std::span<const glm::vec4> powers);
+
+    std::uint64_t fieldEvaluations() const;
+    /// For readLedger; in units of BakeSettings::ledgerScale.
+    const gpu::Buffer& ledger() const { return ledger_; }
+    std::size_t bytes() const;
+
+private:
+    void bindTracks() const;
+    void run(const gpu::Kernel& kernel, std::size_t items, std::size_t invocationsPerItem = 1);
+    void depositChunk(std::span<const TubeJob> jobs, const LightSums& sums);
+
+    BakeSettings bakeSettings_;
+    TubeSettings tubeSettings_;
+    gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, cells_, parts_, ledger_,
+        settingsBlock_, tubeBlock_;
+    gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sort_, gather_, points_, rays_, tally_;
+};
+
+} // namespace eikonal::bake

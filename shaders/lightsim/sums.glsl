@@ -1,0 +1,39 @@
+// The sums that light is deposited into: power x path length in voxels by band, and the same times the direction of travel.
+#include "lightsim/settings.glsl"
+#include "lightsim/fixed_point.glsl"
+#include "shared/domain_block.h"
+
+layout(std430, binding = BAKE_FLUX_BINDING) buffer FluxX { uvec2 fluxX[]; };
+layout(std430, binding = BAKE_FLUX_BINDING + 1) buffer FluxY { uvec2 fluxY[]; };
+layout(std430, binding = BAKE_FLUX_BINDING + 2) buffer FluxZ { uvec2 fluxZ[]; };
+layout(std430, binding = BAKE_IRRADIANCE_BINDING) buffer Irradiance0 { uvec2 irradiance0[]; };
+#if BANDS == 3
+layout(std430, binding = BAKE_IRRADIANCE_BINDING + 1) buffer Irradiance1 { uvec2 irradiance1[]; };
+layout(std430, binding = BAKE_IRRADIANCE_BINDING + 2) buffer Irradiance2 { uvec2 irradiance2[]; };
+#endif
+
+// Adds a part of what a voxel gets: fixed-point units of power x length, and of flux x length.
+void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
+    if (voxel.z < settings.slabBegin || voxel.z >= settings.slabEnd) {
+        return;
+    }
+    uint index = (uint(voxel.z - settings.slabBegin) * uint(domainSize.y) + uint(voxel.y)) * uint(domainSize.x) +
+                 uint(voxel.x);
+    ADD_FIXED(fluxX, index, wideFixedPoint(flux.x))
+    ADD_FIXED(fluxY, index, wideFixedPoint(flux.y))
+    ADD_FIXED(fluxZ, index, wideFixedPoint(flux.z))
+    ADD_FIXED(irradiance0, index, wideFixedPoint(powerLength.x))
+#if BANDS == 3
+    ADD_FIXED(irradiance1, index, wideFixedPoint(powerLength.y))
+    ADD_FIXED(irradiance2, index, wideFixedPoint(powerLength.z))
+#endif
+}
+
+// The sum over bands, along a direction.
+vec3 fluxOf(vec3 powerLength, vec3 travel) {
+#if BANDS == 3
+    return travel * (powerLength.x + powerLength.y + powerLength.z);
+#else
+    return travel * powerLength.x;
+#endif
+}

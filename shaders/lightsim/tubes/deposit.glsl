@@ -1,0 +1,71 @@
+// What both deposits of parts of cells share: the parts, the sums, and the light at a place of a cell.
+#include "lightsim/tubes/tubes.glsl"
+#include "lightsim/tubes/cell.glsl"
+#include "lightsim/sums.glsl"
+
+layout(std430, binding = TUBE_RECORDS_BINDING) readonly buffer RecordBlock { TubeCell cells[]; };
+layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
+    TubePartList lists[TUBE_LISTS];
+    uint parts[];
+};
+
+Trilinear mapOf(uint cell) {
+    vec3 x[8];
+    for (int i = 0; i < 8; ++i) {
+        x[i] = cells[cell].corners[i].xyz;
+    }
+    return trilinearOf(x);
+}
+
+uint listedPart(uint list, uint index) {
+    return parts[list * TUBE_LIST_PARTS + index];
+}
+
+// Power x arc length of the steps [voxels] at the corners of a cell, by band, in units of the sums.
+struct CornerLight {
+    vec3 powerLength[8];
+};
+
+CornerLight cornerLightOf(uint cell) {
+    CornerLight light;
+    vec3 scaled = cells[cell].power * settings.depositScale;
+    for (int i = 0; i < 8; ++i) {
+        light.powerLength[i] = scaled * cells[cell].shares[i].rgb * cells[cell].corners[i % 4 + 4].w;
+    }
+    return light;
+}
+
+vec3 bilinear(vec3 a, vec3 b, vec3 c, vec3 d, vec2 at) {
+    return mix(mix(a, b, at.x), mix(c, d, at.x), at.y);
+}
+
+// Exponential from one value to another, t from 0 to 1; to or from nothing, a straight line.
+vec3 between(vec3 first, vec3 last, float t) {
+#if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING)
+    vec3 exponential = first * pow(max(last, vec3(1.0e-30)) / max(first, vec3(1.0e-30)), vec3(t));
+    return mix(exponential, mix(first, last, t), lessThan(min(first, last), 1.0e-3 * max(first, last)));
+#else
+    return mix(first, last, t);
+#endif
+}
+
+// The same at a place of the cell, per unit of u and v.
+vec3 powerLengthAt(CornerLight light, vec3 at) {
+    return between(bilinear(light.powerLength[0], light.powerLength[1], light.powerLength[2], light.powerLength[3], at.xy),
+                   bilinear(light.powerLength[4], light.powerLength[5], light.powerLength[6], light.powerLength[7], at.xy), at.z);
+}
+
+// Place in the cell of a place in one of its parts.
+vec3 placeInCell(Part part, vec3 q) {
+    return (vec3(part.index) + q) / vec3(part.cuts);
+}
+
+vec3 unitOf(vec3 v) {
+    return v / max(length(v), 1.0e-30);
+}
+
+void addWhereInside(ivec3 voxel, vec3 powerLength, vec3 flux) {
+    if (all(greaterThanEqual(voxel, ivec3(0))) && all(lessThan(voxel, domainSize))) {
+        addAt(voxel, powerLength, flux);
+    }
+}

@@ -1,0 +1,47 @@
+// Deposit, of parts near folds and foci: points, each a share of the part's power x length, go to the voxels that hold them.
+#include "lightsim/tubes/deposit.glsl"
+
+layout(local_size_x = BAKE_GROUP_SIZE) in;
+
+const float kPointsPerVoxel = 4.0;  // along each axis
+const int kMostPoints = 12;         // along each axis of a part
+
+// Points a quarter of a voxel apart, or fewer if they carry less than matters.
+ivec3 pointsFor(vec3 extents, float powerLength) {
+    vec3 wanted = clamp(extents * kPointsPerVoxel, vec3(1.0), vec3(float(kMostPoints)));
+    float enough = powerLength / (tube.pointPower * settings.depositScale);
+    wanted *= min(1.0, pow(max(enough, 1.0e-6) / (wanted.x * wanted.y * wanted.z), 1.0 / 3.0));
+    return max(ivec3(ceil(wanted)), ivec3(1));
+}
+
+void main() {
+    if (gl_GlobalInvocationID.x >= lists[TUBE_POINT_LIST].count) {
+        return;
+    }
+    Part part = unpackedPart(listedPart(TUBE_POINT_LIST, gl_GlobalInvocationID.x));
+    Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
+    mat3 d = derivativesIn(map, vec3(0.5));
+    vec3 extents = vec3(length(d[0]) + length(map.c110) + length(map.c101), length(d[1]) + length(map.c110) + length(map.c011),
+                        length(d[2]));
+    CornerLight corners = cornerLightOf(part.cell);
+    float cut = 1.0 / float(part.cuts.x * part.cuts.y * part.cuts.z);
+    ivec3 counts = pointsFor(extents, largestOf(powerLengthAt(corners, placeInCell(part, vec3(0.5)))) * cut);
+    float portion = cut / float(counts.x * counts.y * counts.z);
+    ivec3 current = ivec3(-1);
+    vec3 powerLength = vec3(0.0);
+    vec3 flux = vec3(0.0);
+    for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
+        vec3 q = (vec3(ivec3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y))) + 0.5) / vec3(counts);
+        ivec3 voxel = ivec3(floor(placeIn(map, q)));
+        if (voxel != current) {
+            addWhereInside(current, powerLength, flux);
+            current = voxel;
+            powerLength = vec3(0.0);
+            flux = vec3(0.0);
+        }
+        vec3 point = powerLengthAt(corners, placeInCell(part, q)) * portion;
+        powerLength += point;
+        flux += fluxOf(point, unitOf(derivativesIn(map, q)[2]));
+    }
+    addWhereInside(current, powerLength, flux);
+}

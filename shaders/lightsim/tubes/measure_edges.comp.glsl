@@ -1,0 +1,31 @@
+// Measure, of edges: is the ray in the middle halfway between the ends? Both rectangles beside the edge get this one answer.
+#include "lightsim/tubes/measure.glsl"
+
+layout(local_size_x = BAKE_GROUP_SIZE) in;
+
+layout(std430, binding = TUBE_ITEMS_BINDING) readonly buffer ItemBlock { TubeEdge edges[]; };
+layout(std430, binding = TUBE_RESULTS_BINDING) writeonly buffer ResultBlock { TubeMeasure measures[]; };
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= tube.itemCount) {
+        return;
+    }
+    TubeEdge edge = edges[index];
+    LaunchFrame frame = frames[vertices[edge.middle].frameIndex];
+    float side = largestOf(abs(vec3(vertices[edge.second].launch - vertices[edge.first].launch, 0.0)));
+    vec3 power = frame.strength * (launchDensity(frame, vertices[edge.middle].launch) * side * side);
+    TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(0u), vec4(0.0));
+    for (int k = 0; k < TUBE_SAMPLES; ++k) {
+        uint first = trackOf(edge.first) + uint(k);
+        uint second = trackOf(edge.second) + uint(k);
+        vec3 a = positions[first].xyz;
+        vec3 b = positions[second].xyz;
+        if (withinDomain(a, domainVoxel) || withinDomain(b, domainVoxel) ||
+            withinDomain(positions[trackOf(edge.middle) + uint(k)].xyz, domainVoxel)) {
+            Expectation expected = Expectation(0.5 * (a + b), 0.5 * (shares[first].rgb + shares[second].rgb), distance(a, b));
+            measureSample(edge.middle, k, expected, power, measure);
+        }
+    }
+    measures[index] = measure;
+}

@@ -1,0 +1,56 @@
+// Measure, of nodes: is the ray in the centre where the eight about it say (Coons's patch)? And the power of the sub-cells.
+#include "lightsim/tubes/measure.glsl"
+
+layout(local_size_x = BAKE_GROUP_SIZE) in;
+
+layout(std430, binding = TUBE_ITEMS_BINDING) readonly buffer ItemBlock { uint listed[]; };
+layout(std430, binding = TUBE_RESULTS_BINDING) writeonly buffer ResultBlock { TubeMeasure measures[]; };
+layout(std430, binding = TUBE_NODES_BINDING) buffer NodeBlock { TubeNode nodes[]; };
+
+const uint kCentre = 4u;
+
+vec4 launchSharesOf(TubeNode node, LaunchFrame frame) {
+    vec4 launchShare;
+    for (int i = 0; i < 4; ++i) {
+        int low = i % 2 + 3 * (i / 2);
+        launchShare[i] = launchShareOfStrength(frame, vertices[node.vertices[low]].launch,
+                                               vertices[node.vertices[low + 4]].launch);
+    }
+    return launchShare;
+}
+
+// Half the sum of the sides' middles less a quarter of the corners'.
+Expectation expectedCentre(TubeNode node, int k) {
+    Expectation expected = Expectation(vec3(0.0), vec3(0.0), 0.0);
+    for (uint i = 0u; i < 9u; ++i) {
+        if (i != kCentre) {
+            float weight = i % 2u == 1u ? 0.5 : -0.25;
+            uint place = trackOf(node.vertices[i]) + uint(k);
+            expected.position += weight * positions[place].xyz;
+            expected.share += weight * shares[place].rgb;
+        }
+    }
+    expected.extent = distance(positions[trackOf(node.vertices[1]) + uint(k)].xyz,
+                               positions[trackOf(node.vertices[7]) + uint(k)].xyz);
+    return expected;
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= tube.itemCount) {
+        return;
+    }
+    uint self = listed[index];
+    TubeNode node = nodes[self];
+    LaunchFrame frame = frames[node.frameIndex];
+    vec4 launchShare = launchSharesOf(node, frame);
+    vec3 power = frame.strength * dot(launchShare, vec4(1.0));
+    TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(0u), launchShare);
+    for (int k = 0; k < TUBE_SAMPLES; ++k) {
+        if (withinDomain(positions[trackOf(node.vertices[kCentre]) + uint(k)].xyz, domainVoxel)) {
+            measureSample(node.vertices[kCentre], k, expectedCentre(node, k), power, measure);
+        }
+    }
+    nodes[self].launchShare = launchShare;
+    measures[index] = measure;
+}

@@ -1,0 +1,95 @@
+// Trace: every listed vertex follows its ray through the window. New ones are launched at the source and brought to the
+// window's beginning first, so every vertex is an exact ray.
+#include "lightsim/tubes/tubes.glsl"
+#include "lightsim/tubes/tracks.glsl"
+#include "lightsim/particle.glsl"
+
+layout(local_size_x = BAKE_GROUP_SIZE) in;
+
+layout(std430, binding = TUBE_VERTICES_BINDING) buffer VertexBlock { TubeVertex vertices[]; };
+layout(std430, binding = TUBE_FRAMES_BINDING) readonly buffer FrameBlock { LaunchFrame frames[]; };
+layout(std430, binding = TUBE_ITEMS_BINDING) readonly buffer ItemBlock { uint listed[]; };
+layout(std430, binding = TUBE_RESULTS_BINDING) buffer ResultBlock {
+    uint evaluationsLow;
+    uint evaluationsHigh;
+    uint padA;
+    uint padB;
+    TubePresence presences[];
+};
+
+void countEvaluations(uint evaluations) {
+    uint before = atomicAdd(evaluationsLow, evaluations);
+    if (before + evaluations < before) {
+        atomicAdd(evaluationsHigh, 1u);
+    }
+}
+
+Particle stepped(Particle ray, uint stepCount, inout uint evaluations) {
+    Particle after = advance(ray, float(stepCount) * settings.opticalStep);
+    evaluations += after.status == PARTICLE_INSIDE ? 1u : 0u;
+    return after;
+}
+
+vec3 shareLeft(Particle ray) {
+    return ray.status == PARTICLE_BLOCKED ? vec3(0.0) : remainingShare(ray);
+}
+
+// Whether a step may not be joined with the one before it to a longer one. A share that
+// falls by less than a tenth falls as an exponential all along.
+bool isBent(Particle before, Particle after) {
+    const float kSameShare = 0.1;
+    vec3 left = shareLeft(before);
+    bool changed = largestOf(left - shareLeft(after)) > kSameShare * largestOf(left);
+    return after.w != before.w || after.status != before.status || changed;
+}
+
+void record(uint place, Particle ray) {
+    positions[place] = vec4(ray.x, ray.arcLength);
+    shares[place] = vec4(shareLeft(ray), 0.0);
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= tube.itemCount) {
+        return;
+    }
+    uint self = listed[index];
+    uint track = trackOf(self);
+    uint stepCount = vertices[self].stepCount;
+    uint evaluations = 0u;
+    Particle ray = vertices[self].ray;
+    if (stepCount == TUBE_NOT_LAUNCHED) {
+        ray = particleAtLaunch(frames[vertices[self].frameIndex], vertices[self].launch);
+        for (stepCount = 0u; stepCount < tube.firstStep; ++stepCount) {
+            ray = stepped(ray, stepCount, evaluations);
+        }
+        record(track, ray);
+    } else {
+        // where the front of the window before was made to conform, this one begins
+        positions[track] = positions[track + uint(TUBE_STEPS)];
+        shares[track] = shares[track + uint(TUBE_STEPS)];
+    }
+    TubePresence presence = TubePresence(uvec2(0u), uvec2(0u), 0u, 0.0, 0u, 0u);
+    bool nearBefore = withinDomain(ray.x, tube.nearMargin);
+    for (int k = 0; k < TUBE_STEPS; ++k) {
+        Particle before = ray;
+        ray = stepped(ray, stepCount, evaluations);
+        ++stepCount;
+        if (isBent(before, ray)) {
+            presence.bent |= sampleBit(k);
+        }
+        record(track + uint(k + 1), ray);
+        bool nearNow = withinDomain(ray.x, tube.nearMargin);
+        if (nearBefore || nearNow) {
+            presence.near |= sampleBit(k);
+        }
+        nearBefore = nearNow;
+    }
+    presence.ended = ray.status == PARTICLE_BLOCKED || (ray.status >= PARTICLE_EXITED && !nearBefore &&
+                     dot(ray.w, 0.5 * (domainMin + domainMax) - ray.x) < 0.0) ? 1u : 0u;
+    presence.remaining = ray.status <= PARTICLE_INSIDE ? largestOf(remainingShare(ray)) : 0.0;
+    presences[self] = presence;
+    vertices[self].ray = ray;
+    vertices[self].stepCount = stepCount;
+    countEvaluations(evaluations);
+}

@@ -1,0 +1,144 @@
+// Structs, binding points and sizes of the bake by ray tubes, read by GLSL (std430 / std140) and by C++.
+// Lengths in scene units, optical path t in scene units.
+
+#include "shaders/shared/bake_blocks.h"
+
+#ifdef __cplusplus
+#pragma once
+namespace eikonal::bake {
+using glm::uvec2;
+using glm::uvec4;
+using glm::vec4;
+#endif
+
+// A window is a stretch of optical path of TUBE_STEPS steps; a vertex's track through it has a sample at both ends of each.
+// Sample k is bit k of a mask of two words.
+#define TUBE_SAMPLES 64
+#define TUBE_STEPS 63
+
+#define TUBE_VERTICES_BINDING 0
+#define TUBE_POSITIONS_BINDING 1
+#define TUBE_SHARES_BINDING 2
+#define TUBE_FRAMES_BINDING 3
+#define TUBE_ITEMS_BINDING 4     // what a kernel works on, one an invocation
+#define TUBE_RESULTS_BINDING 5   // what it answers
+#define TUBE_NODES_BINDING 6
+#define TUBE_RECORDS_BINDING 0   // deposit: cells, and the list of their parts; the sums lie at 2 to 7
+#define TUBE_PARTS_BINDING 1
+#define TUBE_SORT_RECORDS_BINDING 5  // sort_cells: the same two, beside the tracks
+#define TUBE_SORT_PARTS_BINDING 7
+#define TUBE_SETTINGS_BINDING 2  // uniform block
+
+#define TUBE_NOT_LAUNCHED 0xFFFFFFFFu
+
+// A vertex of the launch mesh: an exact ray.
+struct TubeVertex {
+    Particle ray;
+    vec2 launch;
+    uint frameIndex;
+    uint stepCount;  // steps since launch, or TUBE_NOT_LAUNCHED
+};
+
+// What a vertex's track did in the window.
+struct TubePresence {
+    uvec2 near;       // steps that begin or end near the domain
+    uvec2 bent;       // steps that are not straight, or along which the share changes
+    uint ended;       // 1: nothing of it will be near the domain any more
+    float remaining;  // largest share of its power that is still inside the domain at the end of the window
+    uint unusedA;
+    uint unusedB;
+};
+
+// An edge of the mesh with the ray in its middle.
+struct TubeEdge {
+    uint middle;
+    uint first;
+    uint second;
+    uint unused;
+};
+
+// A rectangle of launch coordinates with 3 x 3 vertices, row by row: four sub-cells.
+struct TubeNode {
+    uint vertices[9];
+    uint frameIndex;
+    uint unusedA;
+    uint unusedB;
+    vec4 launchShare;  // power launched into each sub-cell, over the frame's strength
+};
+
+// Samples at which the middle of an edge or a node is not where its neighbours say it is.
+struct TubeMeasure {
+    uvec2 strong;      // with enough power to be refined
+    uvec2 weak;        // with less
+    vec4 launchShare;  // of a node
+};
+
+// A vertex that takes the mean of two others at the samples where it is not live.
+struct TubeConformity {
+    uint vertex;
+    uint first;
+    uint second;
+    uint unusedA;
+    uvec2 live;
+    uvec2 unusedB;
+};
+
+// A node over some steps of the window that are deposited as one: more than one only where its rays are straight.
+struct TubeJob {
+    uint node;
+    uint steps;  // sample at which they begin, and how many in the bits from TUBE_JOB_COUNT_BIT on
+};
+#define TUBE_JOB_COUNT_BIT 8u
+#define TUBE_MAX_JOB_STEPS 3
+
+// A sub-cell over some steps: what the wavefront patch sweeps. Corners 0 to 3 before, 4 to 7 after them, in the order
+// (u0, v0), (u1, v0), (u0, v1), (u1, v1).
+struct TubeCell {
+    vec4 corners[8];  // position from the domain's lower corner [voxels]; w of the later four: arc length between [voxels]
+    vec4 shares[8];   // share of the launched power that is left at the corners, by band
+    vec3 power;       // launched into the sub-cell, by band
+    uint unused;
+};
+
+// Lists of the parts of cells that are deposited alike, TUBE_LIST_PARTS entries each; they follow in the block.
+#define TUBE_GATHER_LIST 0
+#define TUBE_POINT_LIST 1
+#define TUBE_RAY_LIST 2
+#define TUBE_LISTS 3
+#define TUBE_LIST_PARTS (4u * TUBE_MAX_JOBS * TUBE_MAX_PARTS)
+
+// What has been listed, and the indirect dispatch with an invocation a part.
+struct TubePartList {
+    uvec3 groups;
+    uint count;
+};
+
+// A part of a cell: its number, the binary logarithms of the cuts along u, v and t, and which of them it is.
+#define TUBE_PART_CELL_BITS 16u
+#define TUBE_MAX_JOBS 8192u         // a chunk: four cells each
+#define TUBE_MOST_LOG_CUTS 6        // of a cell
+#define TUBE_MAX_PARTS 64u          // of a cell: 2 to the power of that
+
+// Uniform block.
+struct TubeSettings {
+    uint firstStep;        // of the window
+    uint itemCount;        // invocations that have something to do
+    float maxDeviation;    // of a middle from its neighbours' mean [scene units]
+    float maxShareDeviation;  // the same of shares, relative
+    float resolvedSide;    // shares are resolved to edges of this length [scene units]
+    float maxUnevenness;   // change of irradiance between two samples that a gather may have, in logarithm
+    uint samplesPerVoxel;  // along each axis
+    float nearMargin;      // how far from the domain counts as near [scene units]
+    float pointPower;      // power x length that need not be split into more points, over the strongest band [x voxels]
+    uint unusedA;
+    uint unusedB;
+    uint unusedC;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(TubeVertex) == 176 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
+static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
+static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
+static_assert(sizeof(TubeCell) == 272 && sizeof(TubePartList) == 16 && sizeof(TubeSettings) == 48);
+} // namespace eikonal::bake
+#endif
