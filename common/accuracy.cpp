@@ -22,8 +22,7 @@ void requireAvailable(const Scene& scene) {
             "accuracy.integrator", "'auto' or 'leapfrog'");
     require(scene, asked.interpolation == Interpolation::kAuto || asked.interpolation == Interpolation::kLinear,
             "accuracy.interpolation", "'auto' or 'linear'");
-    require(scene, asked.deposit == Deposit::kAuto || asked.deposit == Deposit::kSplat, "accuracy.deposit",
-            "'auto' or 'splat'");
+    require(scene, asked.deposit != Deposit::kCells, "accuracy.deposit", "'auto', 'splat' or 'peak'");
     require(scene, asked.directional == Directional::kAuto || asked.directional == Directional::kMean,
             "accuracy.directional", "'auto' or 'mean'");
     require(scene, asked.reflections == 0, "accuracy.reflections", "0");

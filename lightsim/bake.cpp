@@ -27,6 +27,10 @@ std::vector<std::string> definesOf(const GpuFields& gpuFields, int bands) {
     return defines;
 }
 
+std::size_t blockBytesOf(const gpu::Context& context, const BakeOptions& options) {
+    return options.maxBlockBytes > 0 ? options.maxBlockBytes : context.limits().maxStorageBlockBytes;
+}
+
 bool isFinished(const bake::QueueState& state, const bake::BakeSettings& settings) {
     return state.liveCount == 0 && state.nextLiveCount == 0 && state.recordCount == 0 &&
            state.nextCell >= settings.cellCount;
@@ -69,26 +73,20 @@ BakedLight darkness(const Lattice& lattice) {
 }
 
 /// Propagates the light once per slab of voxel layers, so that the sums never need more than one block each.
-void bakeSlabs(const gpu::Context& context, const Fields& fields, const std::vector<std::string>& defines, int bands,
-               const bake::LaunchGrids& grids, bake::BakeSettings settings, const BakeOptions& options,
-               BakeResult& result) {
-    const std::size_t blockBytes = options.maxBlockBytes > 0 ? options.maxBlockBytes : context.limits().maxStorageBlockBytes;
+void bakeSlabs(bake::Wavefront& wavefront, bake::Deposit& deposit, const Fields& fields, bake::BakeSettings settings,
+               const BakeOptions& options, BakeResult& result) {
     const int depth = fields.lattice.size.z;
-    const int layers = bake::layersPerSlab(fields.lattice, blockBytes);
-    bake::Wavefront wavefront(context, defines, grids, settings);
-    bake::Deposit deposit(context, defines, fields.lattice, layers, bands);
     result.statistics.memoryBytes += wavefront.bytes() + deposit.bytes();
-    const double irradianceUnit = 1.0 / (double(settings.depositScale) * fields.lattice.voxel * fields.lattice.voxel);
-    for (int begin = 0; begin < depth; begin += layers) {
+    for (int begin = 0; begin < depth; begin += deposit.layers()) {
         const auto start = Clock::now();
         settings.slabBegin = begin;
-        settings.slabEnd = std::min(begin + layers, depth);
+        settings.slabEnd = std::min(begin + deposit.layers(), depth);
         wavefront.restart(settings);
         deposit.clear();
         propagateWavefront(wavefront, deposit, settings, options);
         result.statistics.seconds.propagate += secondsSince(start);
         const auto readStart = Clock::now();
-        deposit.read(begin, settings.slabEnd, irradianceUnit, fields.opaque, result.light);
+        deposit.read(settings, fields.opaque, result.light);
         result.statistics.seconds.read += secondsSince(readStart);
     }
     result.statistics.patches = countsOf(wavefront.state());
@@ -114,8 +112,12 @@ BakeResult bakeScene(const gpu::Context& context, const Scene& scene, const Fiel
         }
         const int bands = bake::bandsOf(scene, fields, effects);
         result.statistics.seconds.upload = secondsSince(start);
-        bakeSlabs(context, fields, definesOf(gpuFields, bands), bands, grids,
-                  bake::settingsOf(criteria, grids, fields, options), options, result);
+        const std::vector<std::string> defines = definesOf(gpuFields, bands);
+        const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);
+        bake::Wavefront wavefront(context, defines, grids, settings);
+        const auto deposit = bake::makeDeposit(scene.accuracy.deposit, context, defines, fields.lattice,
+                                               blockBytesOf(context, options), bands);
+        bakeSlabs(wavefront, *deposit, fields, settings, options, result);
         bake::integrateDeposits(fields, result.light, result.statistics.energy);
     }
     context.throwIfError();

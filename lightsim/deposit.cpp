@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lightsim/deposit_peak.h"
+
 namespace eikonal::bake {
 
 namespace {
@@ -10,16 +12,16 @@ constexpr std::size_t kSumBytes = 2 * sizeof(std::uint32_t);
 // A voxel with less free volume than this share has no irradiance: what little light its corner holds has no measure.
 constexpr double kMinFreeShare = 1e-3;
 
-} // namespace
-
 int layersPerSlab(const Lattice& lattice, std::size_t blockBytes) {
     const std::size_t layerBytes = std::size_t(lattice.size.x) * std::size_t(lattice.size.y) * kSumBytes;
     return int(std::clamp<std::size_t>(blockBytes / layerBytes, 1, std::size_t(lattice.size.z)));
 }
 
-Deposit::Deposit(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
-                 int layers, int bands)
-    : bands_(bands), voxelsPerLayer_(std::size_t(lattice.size.x) * std::size_t(lattice.size.y)),
+} // namespace
+
+SplatDeposit::SplatDeposit(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
+                           int layers, int bands)
+    : Deposit(layers), bands_(bands), voxelsPerLayer_(std::size_t(lattice.size.x) * std::size_t(lattice.size.y)),
       interpolated_(context, "lightsim/deposit.comp.glsl", defines),
       corners_(context, "lightsim/deposit_corners.comp.glsl", defines) {
     const std::size_t bytes = voxelsPerLayer_ * std::size_t(layers) * kSumBytes;
@@ -31,7 +33,7 @@ Deposit::Deposit(const gpu::Context& context, const std::vector<std::string>& de
     }
 }
 
-void Deposit::clear() {
+void SplatDeposit::clear() {
     for (gpu::Buffer& buffer : flux_) {
         buffer.fill(0);
     }
@@ -40,7 +42,7 @@ void Deposit::clear() {
     }
 }
 
-void Deposit::add(const Wavefront& wavefront) const {
+void SplatDeposit::add(const Wavefront& wavefront) const {
     wavefront.bindPool();
     for (std::size_t i = 0; i < flux_.size(); ++i) {
         flux_[i].bindStorage(GLuint(BAKE_FLUX_BINDING + i));
@@ -52,9 +54,11 @@ void Deposit::add(const Wavefront& wavefront) const {
     wavefront.dispatchOverListedCorners(corners_);
 }
 
-void Deposit::read(int begin, int end, double unit, const DenseGrid<float>& opaque, BakedLight& light) const {
-    const std::size_t count = voxelsPerLayer_ * std::size_t(end - begin);
-    const std::size_t first = voxelsPerLayer_ * std::size_t(begin);
+void SplatDeposit::read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const {
+    const double voxel = light.lattice.voxel;
+    const double unit = 1.0 / (double(settings.depositScale) * voxel * voxel);  // irradiance of one in a free voxel
+    const std::size_t count = voxelsPerLayer_ * std::size_t(settings.slabEnd - settings.slabBegin);
+    const std::size_t first = voxelsPerLayer_ * std::size_t(settings.slabBegin);
     std::vector<std::vector<std::uint32_t>> flux, power;
     for (const gpu::Buffer& buffer : flux_) {
         flux.push_back(buffer.download<std::uint32_t>(2 * count));
@@ -81,8 +85,18 @@ void Deposit::read(int begin, int end, double unit, const DenseGrid<float>& opaq
     }
 }
 
-std::size_t Deposit::bytes() const {
+std::size_t SplatDeposit::bytes() const {
     return flux_.front().bytes() * (flux_.size() + irradiance_.size());
+}
+
+std::unique_ptr<Deposit> makeDeposit(eikonal::Deposit method, const gpu::Context& context,
+                                     const std::vector<std::string>& defines, const Lattice& lattice,
+                                     std::size_t blockBytes, int bands) {
+    const int layers = layersPerSlab(lattice, blockBytes);
+    if (method == eikonal::Deposit::kPeak) {
+        return std::make_unique<PeakDeposit>(context, defines, lattice, layers, bands);
+    }
+    return std::make_unique<SplatDeposit>(context, defines, lattice, layers, bands);
 }
 
 } // namespace eikonal::bake

@@ -1,6 +1,7 @@
 #pragma once
-// Deposit: fixed-point sums of power × path length over a slab of voxel layers, and the grids that they make.
+// Deposit: what patches leave on a slab of voxel layers, and the grids that are made of it.
 
+#include <memory>
 #include <vector>
 
 #include "common/baked_light.h"
@@ -9,19 +10,35 @@
 
 namespace eikonal::bake {
 
-/// Sums for the voxel layers [begin, begin + layers) of a lattice; `layers` is bounded by the largest storage block.
+/// A way to put patches into the voxel layers [slabBegin, slabEnd) of a lattice, at most layers() of them at a time.
 class Deposit {
 public:
-    Deposit(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice, int layers,
-            int bands);
+    explicit Deposit(int layers) : layers_(layers) {}
+    virtual ~Deposit() = default;
+    int layers() const { return layers_; }
 
-    void clear();
+    virtual void clear() = 0;
     /// Adds the last step of every live patch.
-    void add(const Wavefront& wavefront) const;
-    /// Writes the layers [begin, end) of the grids; `unit` is the irradiance of one fixed-point unit in a free voxel.
-    /// `opaque` is empty or the coverage by opaque matter: light is in the rest of the voxel.
-    void read(int begin, int end, double unit, const DenseGrid<float>& opaque, BakedLight& light) const;
-    std::size_t bytes() const;
+    virtual void add(const Wavefront& wavefront) const = 0;
+    /// Writes the slab's layers of the grids. `opaque` is empty or the coverage by opaque matter: light is in the rest of
+    /// the voxel.
+    virtual void read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const = 0;
+    virtual std::size_t bytes() const = 0;
+
+private:
+    int layers_;
+};
+
+/// Fixed-point sums of power × path length.
+class SplatDeposit : public Deposit {
+public:
+    SplatDeposit(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice, int layers,
+                 int bands);
+
+    void clear() override;
+    void add(const Wavefront& wavefront) const override;
+    void read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const override;
+    std::size_t bytes() const override;
 
 private:
     int bands_;
@@ -30,7 +47,9 @@ private:
     gpu::Kernel interpolated_, corners_;
 };
 
-/// Voxel layers whose sums fit in a storage block of `blockBytes`; at least 1.
-int layersPerSlab(const Lattice& lattice, std::size_t blockBytes);
+/// The deposit that a scene asks for, with as many layers as have their sums in storage blocks of `blockBytes`; at least 1.
+std::unique_ptr<Deposit> makeDeposit(eikonal::Deposit method, const gpu::Context& context,
+                                     const std::vector<std::string>& defines, const Lattice& lattice,
+                                     std::size_t blockBytes, int bands);
 
 } // namespace eikonal::bake

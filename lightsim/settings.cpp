@@ -47,9 +47,11 @@ Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
     const glm::ivec3 size = fields.lattice.size;
     const double longest = std::max({size.x, size.y, size.z});
     Criteria criteria{};
+    criteria.foldsEnd = accuracy.deposit == eikonal::Deposit::kPeak;
     // A step is at most one voxel of length where n is least; more of them gain nothing over the floor that trilinear
-    // interpolation sets (docs/physics.md, section 1).
-    criteria.opticalStep = accuracy.stepVoxels.value_or(1.0) * voxel * std::min(1.0, iorRangeOf(fields).low);
+    // interpolation sets (docs/physics.md, section 1). The largest irradiance is looked for twice as often, as in 2007.
+    const double autoStepVoxels = criteria.foldsEnd ? 0.5 : 1.0;
+    criteria.opticalStep = accuracy.stepVoxels.value_or(autoStepVoxels) * voxel * std::min(1.0, iorRangeOf(fields).low);
     criteria.maxSide = refinement * voxel;
     // The light's mean power per voxel of a cross-section, times the share of it that may be misplaced by not splitting.
     criteria.splitShare = accuracy.tolerance / (longest * longest);
@@ -77,6 +79,7 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
     settings.cellCount = grids.cellCount;
     settings.capacity = std::max(8u, options.poolPatches);
     settings.recordCapacity = kRecordCapacity;
+    settings.foldsEnd = criteria.foldsEnd ? 1u : 0u;
     return settings;
 }
 

@@ -14,6 +14,7 @@ struct Criteria {
     double splitShare;   ///< of a light's power: patches with less left are not split
     double cullShare;    ///< of a patch's launched power: patches with less left end
     double maxOpticalPath;  ///< patches that have come further end [scene units]
+    bool foldsEnd;       ///< patches that turn inside out are culled
 };
 
 Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields);
