@@ -31,11 +31,6 @@ std::size_t blockBytesOf(const gpu::Context& context, const BakeOptions& options
     return options.maxBlockBytes > 0 ? options.maxBlockBytes : context.limits().maxStorageBlockBytes;
 }
 
-bool isFinished(const bake::QueueState& state, const bake::BakeSettings& settings) {
-    return state.liveCount == 0 && state.nextLiveCount == 0 && state.recordCount == 0 &&
-           state.nextCell >= settings.cellCount;
-}
-
 /// The method: emit, propagate, deposit, refine, until no light is left.
 void propagateWavefront(const bake::Wavefront& wavefront, const bake::Deposit& deposit,
                         const bake::BakeSettings& settings, const BakeOptions& options) {

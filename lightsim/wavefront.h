@@ -32,17 +32,24 @@ public:
     QueueState state() const;
     /// The patches that refine has left alive, in no particular order.
     std::vector<WavefrontPatch> livePatches() const;
+    /// The patches that the last refine has retired, in no particular order.
+    std::vector<WavefrontPatch> retiredPatches() const;
     /// Row by row, three bands each, in units of BakeSettings::ledgerScale.
     std::vector<double> ledger() const;
     std::size_t bytes() const;
 
 private:
     void bindSources() const;
+    /// The patches of one of the queue's lists, the first `count` of it.
+    std::vector<WavefrontPatch> listedPatches(std::uint32_t list, std::uint32_t count) const;
 
     std::uint32_t capacity_;
     gpu::Buffer patches_, queue_, frames_, records_, ledger_, settings_;
     gpu::Kernel planEmission_, emit_, beginRound_, propagate_, refine_, retire_, split_;
 };
+
+/// No patch is alive, waits, or is yet to be launched.
+bool isFinished(const QueueState& state, const BakeSettings& settings);
 
 /// A sum of two words, as kernels keep it (shaders/lightsim/fixed_point.glsl).
 inline double fixedPointValue(std::uint32_t low, std::uint32_t high) {

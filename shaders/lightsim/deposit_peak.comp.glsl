@@ -1,6 +1,7 @@
-// Deposit of the 2007 method, for comparison: a patch offers its irradiance, power over cross-section, to the voxels that it
-// passes, and a voxel keeps the largest offer and its direction (Tevs 2007, sections 4.2.4 and 6.2.3). Arrivals do not add
-// up and offers have no bound at a focus: the grid does not hold the light's energy (docs/physics.md, section 3).
+// Deposit of the 2007 method, for comparison: a patch offers its irradiance, power over the area that it covers, to the
+// voxels that it passes, and a voxel keeps the largest offer and its direction (Tevs 2007, sections 4.2.4 and 6.2.3).
+// Arrivals do not add up and offers have no bound at a focus: the grid does not hold the light's energy (docs/physics.md,
+// section 3).
 // Two passes, so that the result is the same in whatever order patches come: the first raises the irradiances, the second
 // writes the directions of those that hold the largest. One program for both: their offers have to agree to the bit.
 #include "lightsim/bake.glsl"
