@@ -49,7 +49,7 @@ Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
     Criteria criteria{};
     criteria.foldsEnd = accuracy.deposit == eikonal::Deposit::kPeak;
     // A step is at most one voxel of length where n is least; more of them gain nothing over the floor that trilinear
-    // interpolation sets (docs/physics.md, section 1). The largest irradiance is looked for twice as often, as in 2007.
+    // interpolation sets (docs/physics.md, section 1). The largest irradiance is looked for twice as often.
     const double autoStepVoxels = criteria.foldsEnd ? 0.5 : 1.0;
     criteria.opticalStep = accuracy.stepVoxels.value_or(autoStepVoxels) * voxel * std::min(1.0, iorRangeOf(fields).low);
     criteria.maxSide = refinement * voxel;
