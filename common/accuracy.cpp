@@ -22,7 +22,6 @@ void requireAvailable(const Scene& scene) {
             "accuracy.integrator", "'auto' or 'leapfrog'");
     require(scene, asked.interpolation == Interpolation::kAuto || asked.interpolation == Interpolation::kLinear,
             "accuracy.interpolation", "'auto' or 'linear'");
-    require(scene, asked.deposit != Deposit::kPeak, "accuracy.deposit", "'auto', 'cells' or 'splat'");
     require(scene, asked.directional == Directional::kAuto || asked.directional == Directional::kMean,
             "accuracy.directional", "'auto' or 'mean'");
     require(scene, asked.reflections == 0, "accuracy.reflections", "0");

@@ -2,7 +2,7 @@
 // The light simulator: wavefront patches of a scene's lights are propagated through its index field and leave
 // irradiance and light direction on the domain's lattice.
 // Method: A. Tevs, Realistic Real-time Rendering of Refractive Objects (2007), chapters 4 and 6, with the corrections of
-// docs/physics.md: every arrival is kept and added, folded or not.
+// docs/physics.md: every arrival is kept and added, folded or not, unless the scene asks for the method of 2007.
 
 #include <cstdint>
 #include <functional>
@@ -32,7 +32,7 @@ struct EnergyLedger {
     glm::dvec3 scattered{0.0};
     glm::dvec3 exited{0.0};
     glm::dvec3 reflected{0.0};  ///< at boundaries, and not followed
-    glm::dvec3 culled{0.0};     ///< below the energy threshold, or at the step limit
+    glm::dvec3 culled{0.0};     ///< below the energy threshold, at the step limit, or (2007 method) folded
     glm::dvec3 depositedAbsorbed{0.0};   ///< Σ σ_a E V of the written grid: should equal absorbed - absorbedOpaque
     glm::dvec3 depositedScattered{0.0};  ///< Σ σ_s E V of the written grid: should equal scattered
 
@@ -45,7 +45,7 @@ struct PatchCounts {
     std::uint64_t steps = 0;             ///< every patch advanced one step
     std::uint64_t fieldEvaluations = 0;  ///< of corners, relaunched ones included
     std::uint64_t splits = 0;
-    std::uint64_t folds = 0;             ///< changes of orientation
+    std::uint64_t folds = 0;             ///< changes of orientation; with the 2007 method patches that they ended
     std::uint64_t refusedSplits = 0;     ///< for want of memory; the patch lived on unsplit
 };
 

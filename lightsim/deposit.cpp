@@ -1,16 +1,29 @@
 #include "lightsim/deposit.h"
 
+#include "lightsim/deposit_peak.h"
+
 namespace eikonal::bake {
 
-Deposit::Deposit(const gpu::Context& context, const std::vector<std::string>& defines)
-    : interpolated_(context, "lightsim/deposit.comp.glsl", defines),
+SplatDeposit::SplatDeposit(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
+                           int layers, int bands)
+    : Deposit(layers), sums_(context, lattice, layers, bands), interpolated_(context, "lightsim/deposit.comp.glsl", defines),
       corners_(context, "lightsim/deposit_corners.comp.glsl", defines) {}
 
-void Deposit::add(const Wavefront& wavefront, const LightSums& sums) const {
+void SplatDeposit::add(const Wavefront& wavefront) const {
     wavefront.bindPool();
-    sums.bind();
+    sums_.bind();
     wavefront.dispatchOverPatches(interpolated_);
     wavefront.dispatchOverListedCorners(corners_);
+}
+
+std::unique_ptr<Deposit> makeDeposit(eikonal::Deposit method, const gpu::Context& context,
+                                     const std::vector<std::string>& defines, const Lattice& lattice,
+                                     std::size_t blockBytes, int bands) {
+    const int layers = layersPerSlab(lattice, blockBytes);
+    if (method == eikonal::Deposit::kPeak) {
+        return std::make_unique<PeakDeposit>(context, defines, lattice, layers, bands);
+    }
+    return std::make_unique<SplatDeposit>(context, defines, lattice, layers, bands);
 }
 
 } // namespace eikonal::bake

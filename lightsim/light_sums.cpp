@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "shaders/shared/bake_blocks.h"
-
 namespace eikonal::bake {
 
 namespace {
@@ -48,9 +46,11 @@ void LightSums::bind() const {
     }
 }
 
-void LightSums::read(int begin, int end, double unit, const DenseGrid<float>& opaque, BakedLight& light) const {
-    const std::size_t count = voxelsPerLayer_ * std::size_t(end - begin);
-    const std::size_t first = voxelsPerLayer_ * std::size_t(begin);
+void LightSums::read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const {
+    const double voxel = light.lattice.voxel;
+    const double unit = 1.0 / (double(settings.depositScale) * voxel * voxel);  // irradiance of one in a free voxel
+    const std::size_t count = voxelsPerLayer_ * std::size_t(settings.slabEnd - settings.slabBegin);
+    const std::size_t first = voxelsPerLayer_ * std::size_t(settings.slabBegin);
     std::vector<std::vector<std::uint32_t>> flux, power;
     for (const gpu::Buffer& buffer : flux_) {
         flux.push_back(buffer.download<std::uint32_t>(2 * count));

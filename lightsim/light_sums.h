@@ -6,6 +6,7 @@
 #include "common/baked_light.h"
 #include "common/fields.h"
 #include "common/gpu/objects.h"
+#include "shaders/shared/bake_blocks.h"
 
 namespace eikonal::bake {
 
@@ -17,9 +18,9 @@ public:
     void clear();
     /// To the bindings of shaders/lightsim/sums.glsl.
     void bind() const;
-    /// Writes the layers [begin, end) of the grids; `unit` is the irradiance of one fixed-point unit in a free voxel.
-    /// `opaque` is empty or the coverage by opaque matter: light is in the rest of the voxel.
-    void read(int begin, int end, double unit, const DenseGrid<float>& opaque, BakedLight& light) const;
+    /// Writes the layers [slabBegin, slabEnd) of the grids. `opaque` is empty or the coverage by opaque matter: light is in
+    /// the rest of the voxel.
+    void read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const;
     std::size_t bytes() const;
 
 private:

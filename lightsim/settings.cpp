@@ -46,18 +46,24 @@ glm::dvec3 strengthOf(const Light& light) {
 
 } // namespace
 
+bool usesPatches(const Accuracy& accuracy) {
+    return accuracy.deposit == eikonal::Deposit::kSplat || accuracy.deposit == eikonal::Deposit::kPeak;
+}
+
 Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
     const double voxel = fields.lattice.voxel;
     const double refinement = std::clamp(std::sqrt(accuracy.tolerance / kDefaultTolerance), 0.25, 2.0);
     const glm::ivec3 size = fields.lattice.size;
     const double longest = std::max({size.x, size.y, size.z});
     Criteria criteria{};
+    criteria.foldsEnd = accuracy.deposit == eikonal::Deposit::kPeak;
     // A step is at most one voxel of length where n is least; more of them gain nothing over the floor that trilinear
-    // interpolation sets (docs/physics.md, section 1).
-    criteria.opticalStep = accuracy.stepVoxels.value_or(1.0) * voxel * std::min(1.0, iorRangeOf(fields).low);
-    criteria.maxSide = accuracy.deposit == eikonal::Deposit::kSplat ? refinement * voxel : kTubeCellVoxels * voxel;
+    // interpolation sets (docs/physics.md, section 1). The largest irradiance is looked for twice as often.
+    const double autoStepVoxels = criteria.foldsEnd ? 0.5 : 1.0;
+    criteria.opticalStep = accuracy.stepVoxels.value_or(autoStepVoxels) * voxel * std::min(1.0, iorRangeOf(fields).low);
+    criteria.maxSide = usesPatches(accuracy) ? refinement * voxel : kTubeCellVoxels * voxel;
     // The light's mean power per voxel of a cross-section, times the share of it that may be misplaced by not splitting.
-    criteria.splitShare = accuracy.tolerance / (longest * longest) * (accuracy.deposit == eikonal::Deposit::kSplat ? 1.0 : kTubeSplitVoxels);
+    criteria.splitShare = accuracy.tolerance / (longest * longest) * (usesPatches(accuracy) ? 1.0 : kTubeSplitVoxels);
     criteria.cullShare = 1e-3 * accuracy.tolerance;
     criteria.maxOpticalPath = kMaxDiagonals / refinement * glm::length(fields.lattice.extent()) *
                               std::max(1.0, iorRangeOf(fields).high);
@@ -83,6 +89,7 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
     settings.cellCount = grids.cellCount;
     settings.capacity = std::max(8u, options.poolPatches);
     settings.recordCapacity = kRecordCapacity;
+    settings.foldsEnd = criteria.foldsEnd ? 1u : 0u;
     return settings;
 }
 

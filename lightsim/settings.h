@@ -15,7 +15,11 @@ struct Criteria {
     double splitShare;   ///< of a light's power: patches with less left are not split
     double cullShare;    ///< of a patch's launched power: patches with less left end
     double maxOpticalPath;  ///< patches that have come further end [scene units]
+    bool foldsEnd;       ///< patches that turn inside out are culled
 };
+
+/// Patches as in 2007 rather than ray tubes.
+bool usesPatches(const Accuracy& accuracy);
 
 Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields);
 

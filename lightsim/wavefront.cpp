@@ -33,6 +33,11 @@ Wavefront::Wavefront(const gpu::Context& context, const std::vector<std::string>
     frames_.upload(std::span<const LaunchFrame>(grids.frames));
 }
 
+void Wavefront::setGrids(const gpu::Context& context, const LaunchGrids& grids) {
+    frames_ = gpu::Buffer(context, grids.frames.size() * sizeof(LaunchFrame), "bake launch frames");
+    frames_.upload(std::span<const LaunchFrame>(grids.frames));
+}
+
 void Wavefront::restart(const BakeSettings& settings) {
     settings_.upload(settings);
     patches_.fill(0);
@@ -91,18 +96,36 @@ QueueState Wavefront::state() const { return queue_.download<QueueState>(1).fron
 
 std::vector<WavefrontPatch> Wavefront::livePatches() const {
     const QueueState current = state();
-    std::vector<std::uint32_t> slots(current.nextLiveCount);
-    queue_.downloadBytes(sizeof(QueueState) + (1 - current.parity) * capacity_ * sizeof(std::uint32_t), slots.data(),
-                         slots.size() * sizeof(std::uint32_t));
-    std::vector<WavefrontPatch> live(slots.size());
-    for (std::size_t i = 0; i < live.size(); ++i) {
-        patches_.downloadBytes(slots[i] * sizeof(WavefrontPatch), &live[i], sizeof(WavefrontPatch));
+    return listedPatches(1 - current.parity, current.nextLiveCount);
+}
+
+std::vector<WavefrontPatch> Wavefront::retiredPatches() const {
+    return listedPatches(RETIRE_LIST, state().retireCount);
+}
+
+std::vector<WavefrontPatch> Wavefront::listedPatches(std::uint32_t list, std::uint32_t count) const {
+    std::vector<WavefrontPatch> listed;
+    if (count == 0) {
+        return listed;
     }
-    return live;
+    std::vector<std::uint32_t> slots(count);
+    queue_.downloadBytes(sizeof(QueueState) + list * capacity_ * sizeof(std::uint32_t), slots.data(),
+                         slots.size() * sizeof(std::uint32_t));
+    const auto pool = patches_.download<WavefrontPatch>(capacity_);  // one transfer, not one a patch
+    listed.reserve(count);
+    for (const std::uint32_t slot : slots) {
+        listed.push_back(pool[slot]);
+    }
+    return listed;
 }
 
 std::size_t Wavefront::bytes() const {
     return patches_.bytes() + queue_.bytes() + frames_.bytes() + records_.bytes() + ledger_.bytes() + settings_.bytes();
+}
+
+bool isFinished(const QueueState& state, const BakeSettings& settings) {
+    return state.liveCount == 0 && state.nextLiveCount == 0 && state.recordCount == 0 &&
+           state.nextCell >= settings.cellCount;
 }
 
 } // namespace eikonal::bake

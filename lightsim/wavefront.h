@@ -15,6 +15,9 @@ public:
     Wavefront(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
               const BakeSettings& settings);
 
+    /// Other lights from now on; restart before the next round.
+    void setGrids(const gpu::Context& context, const LaunchGrids& grids);
+
     /// Empties the pool and begins with the first cell of the launch grids; the ledger begins anew too.
     void restart(const BakeSettings& settings);
 
@@ -34,14 +37,21 @@ public:
     std::vector<WavefrontPatch> livePatches() const;
     /// For readLedger; in units of BakeSettings::ledgerScale.
     const gpu::Buffer& ledger() const { return ledger_; }
+    /// The patches that the last refine has retired, in no particular order.
+    std::vector<WavefrontPatch> retiredPatches() const;
     std::size_t bytes() const;
 
 private:
     void bindSources() const;
+    /// The patches of one of the queue's lists, the first `count` of it.
+    std::vector<WavefrontPatch> listedPatches(std::uint32_t list, std::uint32_t count) const;
 
     std::uint32_t capacity_;
     gpu::Buffer patches_, queue_, frames_, records_, ledger_, settings_;
     gpu::Kernel planEmission_, emit_, beginRound_, propagate_, refine_, retire_, split_;
 };
+
+/// No patch is alive, waits, or is yet to be launched.
+bool isFinished(const QueueState& state, const BakeSettings& settings);
 
 } // namespace eikonal::bake

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/interrupt.h"
+#include "lightsim/settings.h"
 
 namespace eikonal::bake {
 
@@ -15,17 +16,25 @@ constexpr double kFilling = 0.6;            // of the capacity that a batch is m
 
 } // namespace
 
-TubeBake::TubeBake(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
-                   const BakeSettings& settings, const TubeSettings& tubeSettings, std::uint32_t capacity,
-                   double finishedShare)
-    : grids_(grids), capacity_(capacity), maxWindows_(settings.maxSteps / TUBE_STEPS + 1), finishedShare_(finishedShare),
-      kernels_(context, defines, grids, settings, tubeSettings, capacity) {}
+TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, std::uint32_t capacity, const LaunchGrids& grids,
+                   const BakeSettings& settings)
+    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(capacity),
+      layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)), kernels_(context, plan.defines, capacity),
+      sums_(context, plan.fields.lattice, layers_, plan.bands) {
+    setLights(context, grids, settings);
+}
+
+void TubeBake::setLights(const gpu::Context& context, const LaunchGrids& grids, const BakeSettings& settings) {
+    grids_ = &grids;
+    settings_ = settings;
+    kernels_.setLights(context, grids, tubeSettingsOf(accuracy_, grids, fields_));
+}
 
 /// The method: propagate, refine, conform, deposit, until no light is left. False: the batch needs more rays than there is
 /// room for, and `window` is the first that is not deposited.
-bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, const LightSums& sums, PatchCounts& counts,
-                    std::uint32_t& window) {
-    for (window = 0; window < maxWindows_; ++window) {
+bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& window) {
+    const std::uint32_t maxWindows = settings_.maxSteps / TUBE_STEPS + 1;
+    for (window = 0; window < maxWindows; ++window) {
         throwIfInterrupted();
         batch.begin(window);
         batch.propagate();
@@ -34,9 +43,9 @@ bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, const LightSums& s
         }
         batch.conform();
         if (window >= cells.firstDeposit) {
-            batch.deposit(sums, counts);
+            counts_.steps += batch.deposit(sums_);
         }
-        if (batch.isFinished(finishedShare_)) {
+        if (batch.isFinished(settings_.cullShare)) {
             break;
         }
     }
@@ -44,26 +53,28 @@ bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, const LightSums& s
     return true;
 }
 
-void TubeBake::propagate(int begin, int end, const LightSums& sums, PatchCounts& counts,
-                         const std::function<void(double)>& progress) {
-    kernels_.setSlab(begin, end);
-    kernels_.clearLedger();
+void TubeBake::propagate(int begin, int end, const std::function<void(double)>& progress) {
+    settings_.slabBegin = begin;
+    settings_.slabEnd = end;
+    counts_ = {};
+    kernels_.restart(settings_);
+    sums_.clear();
     std::vector<CellRange> waiting;
     std::uint32_t nextCell = 0;
     std::uint32_t batchCells = kFirstBatch;
-    while (nextCell < grids_.cellCount || !waiting.empty()) {
+    while (nextCell < grids_->cellCount || !waiting.empty()) {
         if (waiting.empty()) {
-            waiting.push_back({nextCell, std::min(batchCells, grids_.cellCount - nextCell), 0});
+            waiting.push_back({nextCell, std::min(batchCells, grids_->cellCount - nextCell), 0});
             nextCell += waiting.back().cellCount;
         }
         const CellRange cells = waiting.back();
         waiting.pop_back();
-        TubeBatch batch(kernels_, grids_, cells, capacity_);
+        TubeBatch batch(kernels_, *grids_, cells, capacity_);
         std::uint32_t window = 0;
-        if (bake(batch, cells, sums, counts, window)) {
-            counts.peak = std::max<std::uint64_t>(counts.peak, batch.nodeCount());
-            counts.refusedSplits += batch.refusedHalvings();
-            counts.splits += (batch.nodeCount() - cells.cellCount) / 2;
+        if (bake(batch, cells, window)) {
+            counts_.peak = std::max<std::uint64_t>(counts_.peak, batch.nodeCount());
+            counts_.refusedSplits += batch.refusedHalvings();
+            counts_.splits += (batch.nodeCount() - cells.cellCount) / 2;
             batchCells = std::clamp(std::uint32_t(kFilling * capacity_ / batch.vertexCount() * cells.cellCount), 1u, kMostCells);
         } else {
             const std::uint32_t half = cells.cellCount / 2;
@@ -72,10 +83,13 @@ void TubeBake::propagate(int begin, int end, const LightSums& sums, PatchCounts&
             waiting.push_back({cells.firstCell, half, firstDeposit});
         }
         if (progress) {
-            progress(double(nextCell) / double(grids_.cellCount));
+            progress(double(nextCell) / double(grids_->cellCount));
         }
     }
-    counts.fieldEvaluations = kernels_.fieldEvaluations();
+    counts_.fieldEvaluations = kernels_.fieldEvaluations();
+    counts_.folds = kernels_.foldedCells();
 }
+
+void TubeBake::read(const DenseGrid<float>& opaque, BakedLight& light) const { sums_.read(settings_, opaque, light); }
 
 } // namespace eikonal::bake

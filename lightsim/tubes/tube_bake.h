@@ -1,33 +1,37 @@
 #pragma once
 // The bake by ray tubes: batch after batch of cells of the launch grids, window after window of optical path.
 
-#include <functional>
-
+#include "lightsim/light_method.h"
 #include "lightsim/tubes/tube_batch.h"
 
 namespace eikonal::bake {
 
-class TubeBake {
+class TubeBake : public LightMethod {
 public:
-    TubeBake(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
-             const BakeSettings& settings, const TubeSettings& tubeSettings, std::uint32_t capacity, double finishedShare);
+    /// Room for `capacity` rays.
+    TubeBake(const gpu::Context& context, const MethodPlan& plan, std::uint32_t capacity, const LaunchGrids& grids,
+             const BakeSettings& settings);
 
-    /// Adds all light of the grids to the voxel layers [begin, end) of the sums; the ledger begins anew.
-    void propagate(int begin, int end, const LightSums& sums, PatchCounts& counts,
-                   const std::function<void(double)>& progress);
-
-    const gpu::Buffer& ledger() const { return kernels_.ledger(); }
-    std::size_t bytes() const { return kernels_.bytes(); }
+    void setLights(const gpu::Context& context, const LaunchGrids& grids, const BakeSettings& settings) override;
+    int layers() const override { return layers_; }
+    void propagate(int begin, int end, const std::function<void(double)>& progress) override;
+    void read(const DenseGrid<float>& opaque, BakedLight& light) const override;
+    PatchCounts counts() const override { return counts_; }
+    const gpu::Buffer& ledger() const override { return kernels_.ledger(); }
+    std::size_t bytes() const override { return kernels_.bytes() + sums_.bytes(); }
 
 private:
-    bool bake(TubeBatch& batch, const CellRange& cells, const LightSums& sums, PatchCounts& counts,
-              std::uint32_t& window);
+    bool bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& window);
 
-    const LaunchGrids& grids_;
+    Accuracy accuracy_;
+    const Fields& fields_;
+    const LaunchGrids* grids_;
+    BakeSettings settings_;
     std::uint32_t capacity_;
-    std::uint32_t maxWindows_;
-    double finishedShare_;
+    int layers_;
     TubeKernels kernels_;
+    LightSums sums_;
+    PatchCounts counts_;
 };
 
 } // namespace eikonal::bake

@@ -257,14 +257,14 @@ void TubeBatch::listJobs(std::uint32_t index, Samples steps, std::vector<TubeJob
     }
 }
 
-void TubeBatch::deposit(const LightSums& sums, PatchCounts& counts) {
+std::uint64_t TubeBatch::deposit(const LightSums& sums) {
     findBends();
     std::vector<TubeJob> jobs;
     for (std::uint32_t root = 0; root < rootCount_; ++root) {
         listJobs(root, kAllSteps, jobs);
     }
-    counts.steps += jobs.size();
     kernels_.deposit(jobs, sums);
+    return jobs.size();
 }
 
 /// Each sub-cell of a leaf gives a quarter of its power to each of its corners; a vertex that is no ray gives what it gets

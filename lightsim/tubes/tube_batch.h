@@ -2,10 +2,9 @@
 // A batch of cells of the launch grids, followed from the source until their light has left the domain.
 
 #include <functional>
-#include <optional>
 #include <vector>
 
-#include "lightsim/bake.h"
+#include "lightsim/emit.h"
 #include "lightsim/tubes/launch_mesh.h"
 #include "lightsim/tubes/tube_kernels.h"
 
@@ -27,7 +26,7 @@ public:
     /// Until the window is resolved. False: a batch of several cells needs more rays than there is room for.
     bool refine();
     void conform();                    ///< closes gaps between nodes of different size
-    void deposit(const LightSums& sums, PatchCounts& counts);
+    std::uint64_t deposit(const LightSums& sums);  ///< returns the number of patch-steps
     /// Whether less than this share of the power launched is left in the domain.
     bool isFinished(double share);
     void tally();

@@ -18,18 +18,16 @@ std::size_t itemBytes(std::size_t capacity) {
 
 } // namespace
 
-TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
-                         const BakeSettings& settings, const TubeSettings& tubeSettings, std::uint32_t capacity)
-    : bakeSettings_(settings), tubeSettings_(tubeSettings),
-      vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
+TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity)
+    : vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
       positions_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube positions"),
       shares_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube shares"),
-      frames_(context, grids.frames.size() * sizeof(LaunchFrame), "launch frames"),
+      frames_(context, sizeof(LaunchFrame), "launch frames"),
       nodes_(context, capacity * sizeof(TubeNode), "tube nodes"), items_(context, itemBytes(capacity), "tube items"),
       presences_(context, kPresenceHeader + capacity * sizeof(TubePresence), "tube presences"),
       measures_(context, capacity * sizeof(TubeMeasure), "tube measures"),
       cells_(context, TUBE_MAX_JOBS * kCellsPerJob * sizeof(TubeCell), "tube cells"),
-      parts_(context, TUBE_LISTS * (sizeof(TubePartList) + TUBE_LIST_PARTS * sizeof(std::uint32_t)), "tube parts"),
+      parts_(context, sizeof(TubePartsHeader) + TUBE_LISTS * TUBE_LIST_PARTS * sizeof(std::uint32_t), "tube parts"),
       ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
       settingsBlock_(context, sizeof(BakeSettings), "bake settings"),
       tubeBlock_(context, sizeof(TubeSettings), "tube settings"),
@@ -41,17 +39,20 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       gather_(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
       points_(context, "lightsim/tubes/deposit_points.comp.glsl", defines),
       rays_(context, "lightsim/tubes/deposit_rays.comp.glsl", defines),
-      tally_(context, "lightsim/tubes/tally.comp.glsl", defines) {
+      tally_(context, "lightsim/tubes/tally.comp.glsl", defines) {}
+
+void TubeKernels::setLights(const gpu::Context& context, const LaunchGrids& grids, const TubeSettings& tubeSettings) {
+    frames_ = gpu::Buffer(context, grids.frames.size() * sizeof(LaunchFrame), "launch frames");
     frames_.upload(std::span<const LaunchFrame>(grids.frames));
-    settingsBlock_.upload(bakeSettings_);
-    presences_.fill(0);
-    ledger_.fill(0);
+    tubeSettings_ = tubeSettings;
 }
 
-void TubeKernels::setSlab(int begin, int end) {
-    bakeSettings_.slabBegin = begin;
-    bakeSettings_.slabEnd = end;
-    settingsBlock_.upload(bakeSettings_);
+void TubeKernels::restart(const BakeSettings& settings) {
+    settingsBlock_.upload(settings);
+    presences_.fill(0);
+    ledger_.fill(0);
+    TubePartsHeader header{};
+    parts_.upload(header);
 }
 
 void TubeKernels::bindTracks() const {
@@ -126,7 +127,7 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& s
     items_.upload(jobs);
     std::array<TubePartList, TUBE_LISTS> lists{};
     lists.fill({{0, 1, 1}, 0});
-    parts_.upload(lists);
+    parts_.upload(lists);  // the count of folded cells behind them goes on
     cells_.bindStorage(TUBE_SORT_RECORDS_BINDING);
     parts_.bindStorage(TUBE_SORT_PARTS_BINDING);
     run(sort_, jobs.size(), kCellsPerJob);
@@ -146,6 +147,8 @@ void TubeKernels::tally(std::span<const glm::vec4> powers) {
     items_.bindStorage(TUBE_RESULTS_BINDING);
     run(tally_, powers.size());
 }
+
+std::uint64_t TubeKernels::foldedCells() const { return parts_.download<TubePartsHeader>(1).front().foldedCells; }
 
 std::uint64_t TubeKernels::fieldEvaluations() const {
     std::array<std::uint32_t, 2> words;

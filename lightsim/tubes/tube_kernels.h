@@ -17,11 +17,11 @@ namespace eikonal::bake {
 class TubeKernels {
 public:
     /// Room for `capacity` vertices.
-    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
-                const BakeSettings& settings, const TubeSettings& tubeSettings, std::uint32_t capacity);
+    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity);
 
-    void setSlab(int begin, int end);
-    void clearLedger() { ledger_.fill(0); }
+    void setLights(const gpu::Context& context, const LaunchGrids& grids, const TubeSettings& tubeSettings);
+    /// Counters and the ledger begin anew.
+    void restart(const BakeSettings& settings);
     void beginWindow(std::uint32_t firstStep) { tubeSettings_.firstStep = firstStep; }
 
     /// Uploads vertices, not launched yet, from number `first` on.
@@ -39,6 +39,8 @@ public:
     void tally(std::span<const glm::vec4> powers);
 
     std::uint64_t fieldEvaluations() const;
+    /// Cells over steps in which the wavefront turned inside out.
+    std::uint64_t foldedCells() const;
     /// For readLedger; in units of BakeSettings::ledgerScale.
     const gpu::Buffer& ledger() const { return ledger_; }
     std::size_t bytes() const;
@@ -48,8 +50,7 @@ private:
     void run(const gpu::Kernel& kernel, std::size_t items, std::size_t invocationsPerItem = 1);
     void depositChunk(std::span<const TubeJob> jobs, const LightSums& sums);
 
-    BakeSettings bakeSettings_;
-    TubeSettings tubeSettings_;
+    TubeSettings tubeSettings_{};
     gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, cells_, parts_, ledger_,
         settingsBlock_, tubeBlock_;
     gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sort_, gather_, points_, rays_, tally_;

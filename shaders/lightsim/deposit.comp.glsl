@@ -4,6 +4,7 @@
 // no power is lost: their hats overlap, and one sum per voxel costs a quarter of the atomic additions. Patches too long for
 // that are listed for deposit_corners.
 #include "lightsim/splat.glsl"
+#include "lightsim/sweep.glsl"
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
 
@@ -11,21 +12,6 @@ const float kBlockSide = 1.0;  // [voxels]
 const int kMaxBlocks = 2;      // along each side
 const float kTooLong = 1.15;   // longest sides: refine splits patches before they grow that long, unless they are weak
 const int kNodes = 3;          // a block of that side reaches the hats of 3 voxels along each axis
-
-struct Sweep {  // a patch over its last step
-    vec3 before[4];
-    vec3 after[4];
-    vec3 share[4];
-    vec4 lengths;  // of the corners' steps along their arcs [voxels]: the path length even where they bend or part
-};
-
-vec3 bilinear(vec3 corners[4], vec2 at) {
-    return mix(mix(corners[0], corners[1], at.x), mix(corners[3], corners[2], at.x), at.y);
-}
-
-float bilinear(vec4 corners, vec2 at) {
-    return mix(mix(corners.x, corners.y, at.x), mix(corners.w, corners.z, at.x), at.y);
-}
 
 int blocksFor(float sideVoxels) {
     return clamp(int(ceil(sideVoxels / kBlockSide - 0.01)), 1, kMaxBlocks);
@@ -98,10 +84,6 @@ float opaqueCompensation(Block block) {
     return correction;
 }
 
-float longerOf(Sweep sweep, int a, int b, int c, int d) {
-    return max(distance(sweep.after[a], sweep.after[b]), distance(sweep.after[c], sweep.after[d]));
-}
-
 vec3 meanDirection(vec3 along, float lengthVoxels) {
     return along / max(lengthVoxels * domainVoxel, 1.0e-30);
 }
@@ -156,8 +138,8 @@ void depositPart(Part part) {
 }
 
 void depositSweep(Sweep sweep, vec3 power, float sideU, float sideV) {
-    float stepLength = max(max(sweep.lengths.x, sweep.lengths.y), max(sweep.lengths.z, sweep.lengths.w));
-    ivec3 counts = ivec3(blocksFor(sideU / domainVoxel), blocksFor(sideV / domainVoxel), blocksFor(stepLength));
+    ivec3 counts = ivec3(blocksFor(sideU / domainVoxel), blocksFor(sideV / domainVoxel),
+                         blocksFor(longestStepVoxels(sweep)));
     for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
         depositPart(blockPart(sweep, power, counts, i));
     }
@@ -169,15 +151,9 @@ void main() {
         return;
     }
     uint slot = liveSlot(index);
-    Sweep sweep;
-    for (int i = 0; i < 4; ++i) {
-        sweep.before[i] = patches[slot].corners[i].xPrevious;
-        sweep.after[i] = patches[slot].corners[i].x;
-        sweep.share[i] = patches[slot].corners[i].meanShare;
-        sweep.lengths[i] = patches[slot].corners[i].arcLength / domainVoxel;
-    }
-    float sideU = longerOf(sweep, 0, 1, 3, 2);
-    float sideV = longerOf(sweep, 0, 3, 1, 2);
+    Sweep sweep = sweepOf(slot);
+    float sideU = sideAlongU(sweep);
+    float sideV = sideAlongV(sweep);
     if (max(sideU, sideV) > kTooLong * settings.maxSide) {
         listForCorners(slot);
         return;

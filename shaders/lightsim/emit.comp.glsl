@@ -34,8 +34,8 @@ LaunchRecord recordOfCell(uint cell) {
     record.launchMin = 2.0 * place / cells - 1.0;
     record.launchMax = 2.0 * (place + 1.0) / cells - 1.0;
     record.stepCount = 0u;
+    record.orientation = 0u;
     record.unusedA = 0u;
-    record.unusedB = 0u;
     return record;
 }
 
@@ -45,7 +45,7 @@ void begin(uint slot, LaunchRecord record) {
     patches[slot].power = launchPower(frames[record.frameIndex], record.launchMin, record.launchMax);
     patches[slot].frameIndex = record.frameIndex;
     patches[slot].stepCount = record.stepCount;
-    patches[slot].orientation = 0u;
+    patches[slot].orientation = record.orientation;
     appendLive(slot);
 }
 

@@ -1,7 +1,9 @@
 // Refine: looks at every patch after its step. Those that are done are listed for retire; those that have grown too long are
-// halved across their longer side, and listed for split to launch the new corners; the others live on, folded or not.
+// halved across their longer side, and listed for split to launch the new corners; the others live on, folded or not. (The
+// method of 2007 ends those that fold: settings.foldsEnd.)
 #include "lightsim/bake.glsl"
 #include "lightsim/share.glsl"
+#include "physics/tube.glsl"
 #include "shared/domain_block.h"
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
@@ -57,19 +59,20 @@ Shape shapeOf(uint slot) {
     shape.nearDomain = all(lessThan(low, domainMax)) && all(greaterThan(high, domainMin));
     vec3 spread = mostShare - leastShare;
     shape.spread = max(spread.x, max(spread.y, spread.z));
-    float along = dot(cross(x[2] - x[0], x[3] - x[1]), travel);
-    shape.orientation = along > 0.0 ? 1u : (along < 0.0 ? 2u : 0u);
+    float section = crossSection(x[0], x[1], x[2], x[3], travel);  // its sign; travel is no unit vector
+    shape.orientation = section > 0.0 ? 1u : (section < 0.0 ? 2u : 0u);
     return shape;
 }
 
-void countFold(uint slot, uint orientation) {
+// Whether the patch has turned inside out in its last step; counts it.
+bool folds(uint slot, uint orientation) {
     uint before = patches[slot].orientation;
-    if (orientation != 0u) {
-        if (before != 0u && before != orientation) {
-            atomicAdd(queue.folds, 1u);
-        }
-        patches[slot].orientation = orientation;
+    patches[slot].orientation = orientation != 0u ? orientation : before;
+    bool folded = before != 0u && orientation != 0u && before != orientation;
+    if (folded) {
+        atomicAdd(queue.folds, 1u);
     }
+    return folded;
 }
 
 LaunchRecord recordOf(uint slot, vec2 launchMin, vec2 launchMax) {
@@ -78,8 +81,8 @@ LaunchRecord recordOf(uint slot, vec2 launchMin, vec2 launchMax) {
     record.launchMax = launchMax;
     record.frameIndex = patches[slot].frameIndex;
     record.stepCount = patches[slot].stepCount;
+    record.orientation = patches[slot].orientation;
     record.unusedA = 0u;
-    record.unusedB = 0u;
     return record;
 }
 
@@ -131,9 +134,9 @@ bool wantsSplit(uint slot, Shape shape) {
 void refine(uint slot, inout uint evaluations) {
     patches[slot].stepCount += 1u;
     Shape shape = shapeOf(slot);
-    countFold(slot, shape.orientation);
+    bool foldedAway = folds(slot, shape.orientation) && settings.foldsEnd != 0u;
     evaluations += shape.insideCorners;
-    if (shape.ended || largestOf(shape.remaining) < settings.cullShare ||
+    if (shape.ended || foldedAway || largestOf(shape.remaining) < settings.cullShare ||
         patches[slot].stepCount >= settings.maxSteps) {
         listForRetire(slot);
     } else if (wantsSplit(slot, shape)) {

@@ -1,4 +1,4 @@
-// What is left of the power launched along a particle.
+// What is left of the power launched along a particle. Compiles as C++ too.
 
 float throughputOf(Particle particle) {
     return 0.5 * (particle.throughputS + particle.throughputP);

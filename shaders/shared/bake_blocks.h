@@ -22,7 +22,10 @@ using glm::vec3;
 #define BAKE_LEDGER_BINDING 4   // retire
 #define BAKE_FLUX_BINDING 2        // deposit: flux along x, y, z at 2, 3, 4
 #define BAKE_IRRADIANCE_BINDING 5  // deposit: bands at 5, 6, 7
+#define BAKE_PEAK_SUM_BINDING 2        // deposit_peak; its bands at BAKE_IRRADIANCE_BINDING
+#define BAKE_PEAK_DIRECTION_BINDING 3  // deposit_peak
 #define BAKE_SETTINGS_BINDING 1    // uniform block
+#define BAKE_PEAK_PASS_BINDING 2   // uniform block
 
 // What a corner particle is doing.
 #define PARTICLE_WAITING 0u  // on its straight way to the domain
@@ -40,6 +43,13 @@ using glm::vec3;
 #define LEDGER_REFLECTED 5
 #define LEDGER_CULLED 6
 #define LEDGER_ROWS 7
+
+// A direction in one word: three components of ten bits, -1 to 1 in twice this many steps. 0: none.
+#define PEAK_DIRECTION_STEPS 511
+
+// Passes of deposit_peak.
+#define PEAK_RAISE 0u   // irradiances are raised to the largest
+#define PEAK_DIRECT 1u  // whoever holds the largest leaves its direction
 
 // A launch surface: the ray of launch coordinates (u, v) in [-1, 1]^2 passes through centre + a u + b v.
 struct LaunchFrame {
@@ -102,8 +112,8 @@ struct LaunchRecord {
     vec2 launchMax;
     uint frameIndex;
     uint stepCount;
+    uint orientation;
     uint unusedA;
-    uint unusedB;
 };
 
 // Index lists of the pool, of capacity entries each, that follow QueueState in its block; 0 and 1 hold the live patches
@@ -161,7 +171,15 @@ struct BakeSettings {
     uint recordCapacity;
     int slabBegin;           // this pass deposits into voxel layers slabBegin <= k < slabEnd
     int slabEnd;
+    uint foldsEnd;           // 1: patches that turn inside out are culled
+};
+
+// Uniform block.
+struct PeakPass {
+    uint pass;
     uint unusedA;
+    uint unusedB;
+    uint unusedC;
 };
 
 #ifdef __cplusplus
@@ -171,5 +189,6 @@ static_assert(sizeof(WavefrontPatch) == 688 && offsetof(WavefrontPatch, power) =
 static_assert(sizeof(LaunchRecord) == 32);
 static_assert(sizeof(QueueState) == 160 && offsetof(QueueState, recordCount) == 96);
 static_assert(sizeof(BakeSettings) == 48);
+static_assert(sizeof(PeakPass) == 16);
 } // namespace eikonal::bake
 #endif

@@ -113,6 +113,15 @@ struct TubePartList {
     uint count;
 };
 
+// What the lists begin with.
+struct TubePartsHeader {
+    TubePartList lists[TUBE_LISTS];
+    uint foldedCells;  // in which the wavefront turned inside out, since the bake began
+    uint unusedA;
+    uint unusedB;
+    uint unusedC;
+};
+
 // A part of a cell: its number, the binary logarithms of the cuts along u, v and t, and which of them it is.
 #define TUBE_PART_CELL_BITS 16u
 #define TUBE_MAX_JOBS 8192u         // a chunk: four cells each
@@ -139,6 +148,6 @@ struct TubeSettings {
 static_assert(sizeof(TubeVertex) == 176 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
-static_assert(sizeof(TubeCell) == 272 && sizeof(TubePartList) == 16 && sizeof(TubeSettings) == 48);
+static_assert(sizeof(TubeCell) == 272 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 64 && sizeof(TubeSettings) == 48);
 } // namespace eikonal::bake
 #endif

@@ -27,6 +27,13 @@ Fields absorbingSphereInSmoke(int resolution) {
     return fields;
 }
 
+Fields clearSphere(int resolution) {
+    const Lattice lattice = cube(resolution, 1.0);
+    Fields fields = sphereFields(lattice, 0.6, 1.5, 1.5 * lattice.voxel);
+    fields.interface = {};
+    return fields;
+}
+
 double relativeL1(const DenseGrid<glm::vec3>& a, const DenseGrid<glm::dvec3>& b) {
     double difference = 0.0, total = 0.0;
     for (std::size_t i = 0; i < a.values.size(); ++i) {

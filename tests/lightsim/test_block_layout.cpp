@@ -72,7 +72,7 @@ test::Members launchRecordMembers() {
     return {
         EIKONAL_MEMBER(bake::LaunchRecord, launchMin), EIKONAL_MEMBER(bake::LaunchRecord, launchMax),
         EIKONAL_MEMBER(bake::LaunchRecord, frameIndex), EIKONAL_MEMBER(bake::LaunchRecord, stepCount),
-        EIKONAL_MEMBER(bake::LaunchRecord, unusedA), EIKONAL_MEMBER(bake::LaunchRecord, unusedB)
+        EIKONAL_MEMBER(bake::LaunchRecord, orientation), EIKONAL_MEMBER(bake::LaunchRecord, unusedA)
     };
 }
 
@@ -83,7 +83,7 @@ test::Members bakeSettingsMembers() {
         EIKONAL_MEMBER(bake::BakeSettings, depositScale), EIKONAL_MEMBER(bake::BakeSettings, ledgerScale),
         EIKONAL_MEMBER(bake::BakeSettings, cellCount), EIKONAL_MEMBER(bake::BakeSettings, capacity),
         EIKONAL_MEMBER(bake::BakeSettings, recordCapacity), EIKONAL_MEMBER(bake::BakeSettings, slabBegin),
-        EIKONAL_MEMBER(bake::BakeSettings, slabEnd), EIKONAL_MEMBER(bake::BakeSettings, unusedA)
+        EIKONAL_MEMBER(bake::BakeSettings, slabEnd), EIKONAL_MEMBER(bake::BakeSettings, foldsEnd)
     };
 }
 
@@ -108,6 +108,12 @@ TEST(BlockLayout, OfWhatIsLaunchedIsTheCompilers) {
     const auto settings = test::uniformBlockLayout(emit, "SettingsBlock");
     EXPECT_EQ(settings.members, test::prefixed("settings.", bakeSettingsMembers()));
     EXPECT_EQ(settings.bytes, sizeof(bake::BakeSettings));
+}
+
+TEST(BlockLayout, OfThePeakPassIsTheCompilers) {
+    const auto pass = test::uniformBlockLayout(kernelOf("lightsim/deposit_peak.comp.glsl"), "PeakPassBlock");
+    EXPECT_EQ(pass.members.at("peak.pass"), offsetof(bake::PeakPass, pass));
+    EXPECT_EQ(pass.bytes, sizeof(bake::PeakPass));
 }
 
 } // namespace

@@ -13,10 +13,10 @@ std::vector<KernelVariant> variants() {
                                        {"lightsim/schedule.comp.glsl", {"BANDS 3", "SCHEDULE_EMIT"}}};
     for (const auto& subset : test::tellingSubsets({"EFFECT_REFRACTION", "EFFECT_ABSORPTION", "EFFECT_SCATTERING",
                                                     "EFFECT_REFLECTION", "EFFECT_OPAQUE", "MANUAL_FILTERING"})) {
-        for (const char* kernel : {"emit", "propagate", "refine", "retire", "split", "deposit", "deposit_corners"}) {
+        for (const char* kernel : {"emit", "propagate", "refine", "retire", "split", "deposit", "deposit_corners", "deposit_peak"}) {
             rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {"BANDS 3"}));
         }
-        for (const char* kernel : {"deposit", "deposit_corners"}) {  // the others know no bands
+        for (const char* kernel : {"deposit", "deposit_corners", "deposit_peak"}) {  // the others know no bands
             rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {"BANDS 1"}));
         }
     }

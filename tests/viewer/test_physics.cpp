@@ -152,5 +152,20 @@ TEST(Box, SpanAndExitAgree) {
     EXPECT_DOUBLE_EQ(f64::distanceToExit({0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, low, high), 0.5);
 }
 
+TEST(Tube, SectionIsAcrossTheDirectionAndSigned) {
+    const glm::dvec3 a(0.0), b(2.0, 0.0, 0.0), c(2.0, 3.0, 0.0), d(0.0, 3.0, 0.0);
+    const glm::dvec3 oblique(0.6, 0.0, 0.8);
+    EXPECT_NEAR(f64::crossSection(a, b, c, d, oblique), 6.0 * 0.8, 1e-14);
+    EXPECT_NEAR(f64::crossSection(a, d, c, b, oblique), -6.0 * 0.8, 1e-14);
+    EXPECT_NEAR(f64::coveredSection(a, d, c, b, oblique), 6.0 * 0.8, 1e-14);
+}
+
+TEST(Tube, CoversSomethingWhereAFoldRunsThroughIt) {
+    // two corners have changed places: one half is inside out and cancels the other
+    const glm::dvec3 a(0.0), b(2.0, 0.0, 0.0), c(0.0, 3.0, 0.0), d(2.0, 3.0, 0.0);
+    EXPECT_NEAR(f64::crossSection(a, b, c, d, {0.0, 0.0, 1.0}), 0.0, 1e-14);
+    EXPECT_NEAR(f64::coveredSection(a, b, c, d, {0.0, 0.0, 1.0}), 6.0, 1e-14);
+}
+
 } // namespace
 } // namespace eikonal

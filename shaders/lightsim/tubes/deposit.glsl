@@ -5,7 +5,7 @@
 
 layout(std430, binding = TUBE_RECORDS_BINDING) readonly buffer RecordBlock { TubeCell cells[]; };
 layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
-    TubePartList lists[TUBE_LISTS];
+    TubePartsHeader header;
     uint parts[];
 };
 

@@ -57,7 +57,7 @@ Light gathered(Part part, CornerLight corners, Trilinear map, mat3 inverseMiddle
 }
 
 void main() {
-    if (gl_GlobalInvocationID.x >= lists[TUBE_GATHER_LIST].count) {
+    if (gl_GlobalInvocationID.x >= header.lists[TUBE_GATHER_LIST].count) {
         return;
     }
     Part part = unpackedPart(listedPart(TUBE_GATHER_LIST, gl_GlobalInvocationID.x));

@@ -15,7 +15,7 @@ ivec3 pointsFor(vec3 extents, float powerLength) {
 }
 
 void main() {
-    if (gl_GlobalInvocationID.x >= lists[TUBE_POINT_LIST].count) {
+    if (gl_GlobalInvocationID.x >= header.lists[TUBE_POINT_LIST].count) {
         return;
     }
     Part part = unpackedPart(listedPart(TUBE_POINT_LIST, gl_GlobalInvocationID.x));

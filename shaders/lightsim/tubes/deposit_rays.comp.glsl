@@ -18,7 +18,7 @@ void depositRay(vec3 from, vec3 to, vec3 powerLength) {
 }
 
 void main() {
-    if (gl_GlobalInvocationID.x >= lists[TUBE_RAY_LIST].count) {
+    if (gl_GlobalInvocationID.x >= header.lists[TUBE_RAY_LIST].count) {
         return;
     }
     uint cell = unpackedPart(listedPart(TUBE_RAY_LIST, gl_GlobalInvocationID.x)).cell;

@@ -14,12 +14,13 @@ layout(std430, binding = TUBE_ITEMS_BINDING) readonly buffer ItemBlock { TubeJob
 layout(std430, binding = TUBE_SORT_RECORDS_BINDING) writeonly buffer RecordBlock { TubeCell cells[]; };
 layout(std430, binding = TUBE_NODES_BINDING) readonly buffer NodeBlock { TubeNode nodes[]; };
 layout(std430, binding = TUBE_SORT_PARTS_BINDING) buffer PartBlock {
-    TubePartList lists[TUBE_LISTS];
+    TubePartsHeader header;
     uint parts[];
 };
 
 const float kLongestPart = 3.0;   // [voxels]: bounds the voxels that a gather looks at
 const float kLongestPoints = 1.0;   // [voxels]: parts that are splatted are cut to that
+const float kFolded = 1.0e9;          // unevenness where the map turns inside out
 const int kMostLogCuts = 3;         // along each axis
 const float kLongestCell = 24.0;    // [voxels]: beyond that there may be anything between the corners
 // Of the volume that a sample stands for: parts smaller than that are points, whatever their irradiance does, so that no
@@ -72,7 +73,6 @@ vec3 extentsOf(vec3 x[8]) {
 // How much the density of the map changes over the distance between two samples, along u, v and t, in logarithm: large
 // where the map folds.
 vec3 unevennessOf(Trilinear map) {
-    const float kFolded = 1.0e9;
     float volume[8];
     float least = 1.0e30;
     float most = -1.0e30;
@@ -101,10 +101,10 @@ vec3 unevennessOf(Trilinear map) {
     return change * spacing / max(thickness, vec3(1.0e-9));
 }
 
-bool isGathered(Trilinear map) {
+bool isGathered(Trilinear map, vec3 unevenness) {
     float spacing = 1.0 / float(tube.samplesPerVoxel);
     float volume = abs(determinant(derivativesIn(map, vec3(0.5))));
-    return largestOf(unevennessOf(map)) < tube.maxUnevenness &&
+    return largestOf(unevenness) < tube.maxUnevenness &&
            volume > kLeastVolume * spacing * spacing * spacing;
 }
 
@@ -127,9 +127,9 @@ ivec3 logCutsOf(vec3 extents, bool gathered) {
 }
 
 void listPart(uint list, uint packed_) {
-    uint place = atomicAdd(lists[list].count, 1u);
+    uint place = atomicAdd(header.lists[list].count, 1u);
     parts[list * TUBE_LIST_PARTS + place] = packed_;
-    atomicMax(lists[list].groups.x, place / BAKE_GROUP_SIZE + 1u);
+    atomicMax(header.lists[list].groups.x, place / BAKE_GROUP_SIZE + 1u);
 }
 
 void main() {
@@ -156,11 +156,16 @@ void main() {
         return;
     }
     Trilinear map = trilinearOf(x);
-    ivec3 logCuts = logCutsOf(extents, isGathered(map));
+    vec3 unevenness = unevennessOf(map);
+    if (unevenness.x >= kFolded) {
+        atomicAdd(header.foldedCells, 1u);
+    }
+    ivec3 logCuts = logCutsOf(extents, isGathered(map, unevenness));
     ivec3 cuts = ivec3(1 << logCuts.x, 1 << logCuts.y, 1 << logCuts.z);
     for (int i = 0; i < cuts.x * cuts.y * cuts.z; ++i) {
         ivec3 index = ivec3(i % cuts.x, i / cuts.x % cuts.y, i / (cuts.x * cuts.y));
-        bool gathered = isGathered(partOf(map, cuts, index));
+        Trilinear part = partOf(map, cuts, index);
+        bool gathered = isGathered(part, unevennessOf(part));
         listPart(gathered ? TUBE_GATHER_LIST : TUBE_POINT_LIST, packedPart(self, logCuts, index));
     }
 }
