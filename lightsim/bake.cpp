@@ -68,59 +68,98 @@ BakedLight darkness(const Lattice& lattice) {
     return {lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
 }
 
-/// Propagates the light once per slab of voxel layers, so that the sums never need more than one block each.
-void bakeSlabs(const gpu::Context& context, const Fields& fields, const std::vector<std::string>& defines, int bands,
-               const bake::LaunchGrids& grids, bake::BakeSettings settings, const BakeOptions& options,
-               BakeResult& result) {
-    const std::size_t blockBytes = options.maxBlockBytes > 0 ? options.maxBlockBytes : context.limits().maxStorageBlockBytes;
-    const int depth = fields.lattice.size.z;
-    const int layers = bake::layersPerSlab(fields.lattice, blockBytes);
-    bake::Wavefront wavefront(context, defines, grids, settings);
-    bake::Deposit deposit(context, defines, fields.lattice, layers, bands);
-    result.statistics.memoryBytes += wavefront.bytes() + deposit.bytes();
-    const double irradianceUnit = 1.0 / (double(settings.depositScale) * fields.lattice.voxel * fields.lattice.voxel);
-    for (int begin = 0; begin < depth; begin += layers) {
-        const auto start = Clock::now();
-        settings.slabBegin = begin;
-        settings.slabEnd = std::min(begin + layers, depth);
-        wavefront.restart(settings);
-        deposit.clear();
-        propagateWavefront(wavefront, deposit, settings, options);
-        result.statistics.seconds.propagate += secondsSince(start);
-        const auto readStart = Clock::now();
-        deposit.read(begin, settings.slabEnd, irradianceUnit, fields.opaque, result.light);
-        result.statistics.seconds.read += secondsSince(readStart);
+} // namespace
+
+/// What stays on the device from one bake to the next.
+struct LightSimulator::Device {
+    GpuFields fields;
+    int bands;
+    int layers;  ///< of voxels in a slab
+    bake::Wavefront wavefront;
+    bake::Deposit deposit;
+
+    Device(const gpu::Context& context, const Fields& sceneFields, const EffectSet& effects, int bandCount, int slabLayers,
+           const bake::LaunchGrids& grids, const bake::BakeSettings& settings)
+        : fields(context, sceneFields, effects), bands(bandCount), layers(slabLayers),
+          wavefront(context, definesOf(fields, bands), grids, settings),
+          deposit(context, definesOf(fields, bands), sceneFields.lattice, layers, bands) {}
+
+    std::size_t bytes() const {
+        std::size_t sum = wavefront.bytes() + deposit.bytes();
+        for (const auto& [name, textureBytes] : fields.textures()) {
+            sum += textureBytes;
+        }
+        return sum;
     }
-    result.statistics.patches = countsOf(wavefront.state());
-    bake::readLedger(wavefront.ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
+
+    /// Propagates the light once per slab of voxel layers, so that the sums never need more than one block each.
+    void bakeSlabs(const Fields& sceneFields, bake::BakeSettings settings, const BakeOptions& options,
+                   BakeResult& result) {
+        const Lattice& lattice = sceneFields.lattice;
+        const double irradianceUnit = 1.0 / (double(settings.depositScale) * lattice.voxel * lattice.voxel);
+        for (int begin = 0; begin < lattice.size.z; begin += layers) {
+            const auto start = Clock::now();
+            settings.slabBegin = begin;
+            settings.slabEnd = std::min(begin + layers, lattice.size.z);
+            wavefront.restart(settings);
+            deposit.clear();
+            propagateWavefront(wavefront, deposit, settings, options);
+            result.statistics.seconds.propagate += secondsSince(start);
+            const auto readStart = Clock::now();
+            deposit.read(begin, settings.slabEnd, irradianceUnit, sceneFields.opaque, result.light);
+            result.statistics.seconds.read += secondsSince(readStart);
+        }
+        result.statistics.patches = countsOf(wavefront.state());
+        bake::readLedger(wavefront.ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
+    }
+};
+
+LightSimulator::LightSimulator(const gpu::Context& context, const Scene& scene, const Fields& fields,
+                               const EffectSet& effects, const BakeOptions& options)
+    : context_(context), fields_(fields), effects_(effects), options_(options),
+      criteria_(std::make_unique<bake::Criteria>(bake::criteriaOf(scene.accuracy, fields))) {}
+
+LightSimulator::~LightSimulator() = default;
+
+LightSimulator::Device& LightSimulator::deviceFor(int bands, const bake::LaunchGrids& grids,
+                                                  const bake::BakeSettings& settings) {
+    if (device_ && device_->bands == bands) {
+        device_->wavefront.setGrids(context_, grids);
+    } else {
+        const std::size_t blockBytes =
+            options_.maxBlockBytes > 0 ? options_.maxBlockBytes : context_.limits().maxStorageBlockBytes;
+        const int layers = bake::layersPerSlab(fields_.lattice, blockBytes);
+        device_.reset();  // the old one's memory before the new one's
+        device_ = std::make_unique<Device>(context_, fields_, effects_, bands, layers, grids, settings);
+    }
+    device_->fields.bind();
+    return *device_;
 }
 
-} // namespace
+BakeResult LightSimulator::bake(const LightSet& lights) {
+    const auto start = Clock::now();
+    BakeResult result{darkness(fields_.lattice), {}, {}};
+    result.statistics.device = context_.rendererName();
+    const bake::LaunchGrids grids =
+        bake::launchGrids(lights, fields_.lattice, criteria_->maxSide, criteria_->splitShare);
+    result.statistics.energy.emitted = grids.emitted;
+    if (grids.strongestPower > 0.0) {
+        const bake::BakeSettings settings = bake::settingsOf(*criteria_, grids, fields_, options_);
+        Device& device = deviceFor(bake::bandsOf(lights, fields_, effects_), grids, settings);
+        result.statistics.memoryBytes = device.bytes();
+        result.statistics.seconds.upload = secondsSince(start);
+        device.bakeSlabs(fields_, settings, options_, result);
+        bake::integrateDeposits(fields_, result.light, result.statistics.energy);
+    }
+    context_.throwIfError();
+    result.statistics.seconds.total = secondsSince(start);
+    return result;
+}
 
 BakeResult bakeScene(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
                      const BakeOptions& options) {
-    const auto start = Clock::now();
-    BakeResult result{darkness(fields.lattice), {}};
-    result.statistics.device = context.rendererName();
-    const bake::Criteria criteria = bake::criteriaOf(scene.accuracy, fields);
-    const bake::LaunchGrids grids =
-        bake::launchGrids(scene.lights, fields.lattice, criteria.maxSide, criteria.splitShare);
-    result.statistics.energy.emitted = grids.emitted;
-    if (grids.strongestPower > 0.0) {
-        const GpuFields gpuFields(context, fields, effects);
-        gpuFields.bind();
-        for (const auto& [name, bytes] : gpuFields.textures()) {
-            result.statistics.memoryBytes += bytes;
-        }
-        const int bands = bake::bandsOf(scene, fields, effects);
-        result.statistics.seconds.upload = secondsSince(start);
-        bakeSlabs(context, fields, definesOf(gpuFields, bands), bands, grids,
-                  bake::settingsOf(criteria, grids, fields, options), options, result);
-        bake::integrateDeposits(fields, result.light, result.statistics.energy);
-    }
-    context.throwIfError();
-    result.statistics.seconds.total = secondsSince(start);
-    return result;
+    LightSimulator simulator(context, scene, fields, effects, options);
+    return simulator.bake(lightsAt(lightsOf(scene, effects), 0.0));
 }
 
 } // namespace eikonal

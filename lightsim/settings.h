@@ -23,6 +23,6 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
                         const BakeOptions& options);
 
 /// 1 when every light is of one colour and every optical constant is grey, else 3.
-int bandsOf(const Scene& scene, const Fields& fields, const EffectSet& effects);
+int bandsOf(const LightSet& lights, const Fields& fields, const EffectSet& effects);
 
 } // namespace eikonal::bake

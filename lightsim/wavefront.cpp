@@ -33,6 +33,11 @@ Wavefront::Wavefront(const gpu::Context& context, const std::vector<std::string>
     frames_.upload(std::span<const LaunchFrame>(grids.frames));
 }
 
+void Wavefront::setGrids(const gpu::Context& context, const LaunchGrids& grids) {
+    frames_ = gpu::Buffer(context, grids.frames.size() * sizeof(LaunchFrame), "bake launch frames");
+    frames_.upload(std::span<const LaunchFrame>(grids.frames));
+}
+
 void Wavefront::restart(const BakeSettings& settings) {
     settings_.upload(settings);
     patches_.fill(0);

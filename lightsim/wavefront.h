@@ -15,6 +15,9 @@ public:
     Wavefront(const gpu::Context& context, const std::vector<std::string>& defines, const LaunchGrids& grids,
               const BakeSettings& settings);
 
+    /// Other lights from now on; restart before the next round.
+    void setGrids(const gpu::Context& context, const LaunchGrids& grids);
+
     /// Empties the pool and begins with the first cell of the launch grids; the ledger begins anew too.
     void restart(const BakeSettings& settings);
 

@@ -1,8 +1,8 @@
 // New patches: corners launched at the source and traced to the present.
 
-// Power launched into a rectangle of launch coordinates. A beam: irradiance times area, exact. A point: intensity times
-// solid angle, by 3 x 3 Gauss points of D dA / r^3; its error falls with the sixth power of the rectangle's size and is
-// below 1e-6 for the cells of the launch grids.
+// Power launched into a rectangle of launch coordinates if the profile is 1 all over it: corners carry their own share. A
+// beam: irradiance times area, exact. A point: intensity times solid angle, by 3 x 3 Gauss points of D dA / r^3; its error
+// falls with the sixth power of the rectangle's size and is below 1e-6 for the cells of the launch grids.
 vec3 launchPower(LaunchFrame frame, vec2 launchMin, vec2 launchMax) {
     vec2 extent = launchMax - launchMin;
     if (frame.isPoint == 0u) {
