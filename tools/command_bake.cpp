@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -11,8 +13,9 @@
 #include "common/fields.h"
 #include "common/gpu/context.h"
 #include "common/output_file.h"
-#include "lightsim/bake.h"
+#include "lightsim/per_light.h"
 #include "tools/bake_file.h"
+#include "tools/frame_name.h"
 #include "tools/scene_arguments.h"
 #include "tools/statistics_json.h"
 #include "tools/terminal.h"
@@ -25,6 +28,11 @@ struct BakeArguments {
     SceneArguments scene;
     std::string output;
     std::string statistics;
+    int frames = 0;  ///< of a sequence; 0: a single bake, of frame 0
+    bool perLight = false;
+
+    bool isSequence() const { return frames > 0; }
+    std::string outputOf(int frame) const { return isSequence() ? frameName(output, frame) : output; }
 };
 
 double worstBalance(const EnergyLedger& energy) {
@@ -32,29 +40,53 @@ double worstBalance(const EnergyLedger& energy) {
     return std::max({balance.r, balance.g, balance.b});
 }
 
-void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
-    requireWritable(arguments.output);
+/// A single bake's statistics as they are, those of a sequence as a list.
+nlohmann::json statisticsJson(const BakeArguments& arguments, const std::vector<nlohmann::json>& rows) {
+    return arguments.isSequence() ? nlohmann::json{{"frames", rows}} : rows.front();
+}
+
+void requireOutputs(const BakeArguments& arguments) {
+    if (arguments.isSequence() && !hasFrameNumber(arguments.output)) {
+        throw CLI::ValidationError("--output", fmt::format("expected a name with #### in place of the frame's number, "
+                                                           "found '{}'", arguments.output));
+    }
+    requireWritable(arguments.outputOf(0));
     if (!arguments.statistics.empty()) {
         requireWritable(arguments.statistics);
     }
+}
+
+void noteBake(const std::string& file, const BakeResult& result, const ProgramOptions& options) {
+    const glm::ivec3& size = result.light.lattice.size;
+    note(options, fmt::format("{}: {} x {} x {} voxels in {:.2f} s, energy balance within {:.1e}", file, size.x, size.y,
+                              size.z, result.statistics.seconds.total, worstBalance(result.statistics.energy)));
+}
+
+void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
+    requireOutputs(arguments);
     const Scene scene = sceneOf(arguments.scene);
     const gpu::Context context = gpu::Context::windowless();
     Progress progress(options);
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
     const EffectSet effects = decideEffects(scene, fields);
+    const LightSet lights = lightsOf(scene, effects);
     BakeOptions bakeOptions;
     bakeOptions.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
-    const BakeResult result = bakeScene(context, scene, fields, effects, bakeOptions);
-    progress.finish();
-
-    writeBakeFile(arguments.output, scene, fields, result);
-    if (!arguments.statistics.empty()) {
-        writeFile(arguments.statistics, bakeJson(result.statistics, effects).dump(2) + "\n");
+    LightSimulator simulator(context, scene, fields, effects, bakeOptions);
+    std::vector<nlohmann::json> statistics;
+    for (int frame = 0; frame < std::max(arguments.frames, 1); ++frame) {
+        const LightSet placed = lightsAt(lights, frame);
+        const BakeResult result = arguments.perLight ? bakePerLight(simulator, placed) : simulator.bake(placed);
+        progress.finish();
+        writeBakeFile(arguments.outputOf(frame), scene, fields, result,
+                      arguments.isSequence() ? std::optional(frame) : std::nullopt);
+        noteBake(arguments.outputOf(frame), result, options);
+        statistics.push_back(bakeJson(result.statistics, effects));
     }
-    note(options, fmt::format("{}: {} x {} x {} voxels in {:.2f} s, energy balance within {:.1e}", arguments.output,
-                              fields.lattice.size.x, fields.lattice.size.y, fields.lattice.size.z,
-                              result.statistics.seconds.total, worstBalance(result.statistics.energy)));
+    if (!arguments.statistics.empty()) {
+        writeFile(arguments.statistics, statisticsJson(arguments, statistics).dump(2) + "\n");
+    }
 }
 
 } // namespace
@@ -66,6 +98,11 @@ void addBakeCommand(CLI::App& program, const ProgramOptions& options) {
     command->add_option("-o,--output", arguments->output, "VDB to write")->required()->type_name("BAKE.vdb");
     command->add_option("--stats", arguments->statistics, "write seconds, patch counts and the energy ledger as JSON")
         ->type_name("FILE.json");
+    command->add_option("--frames", arguments->frames,
+                        "bake frames 0 to N-1 of lights that move; #### in the output's name becomes the frame's number")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--per-light", arguments->perLight, "simulate each light on its own and write its grids too");
     addIntegerKey(*command, arguments->scene,
                   {"--resolution", "domain.resolution", "VOXELS",
                    fmt::format("voxels along the domain's longest side [the scene's, else {}]", Domain{}.resolution)});
