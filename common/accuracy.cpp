@@ -25,7 +25,6 @@ void requireAvailable(const Scene& scene) {
     require(scene, asked.directional == Directional::kAuto || asked.directional == Directional::kMean,
             "accuracy.directional", "'auto' or 'mean'");
     require(scene, asked.reflections == 0, "accuracy.reflections", "0");
-    require(scene, !scene.environment.bake, "environment.bake", "false");
 }
 
 } // namespace eikonal

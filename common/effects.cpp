@@ -92,7 +92,7 @@ std::vector<std::string> EffectSet::defines() const {
 }
 
 bool EffectSet::wantsLight(const Scene& scene) const {
-    const bool lit = !scene.lights.empty() || scene.environment.bake;
+    const bool lit = !scene.lights.empty() || (scene.environment.bake && has(Effect::kEnvironment));
     return lit && (has(Effect::kScattering) || has(Effect::kOpaque));
 }
 

@@ -89,15 +89,41 @@ struct Object {
     glm::dmat4 worldFromLocal() const;  ///< translate · Rz Ry Rx · scale
 };
 
+/// Where a light is, or where it shines to, at a frame of a sequence. Between keyframes both are interpolated
+/// (common/light_motion.h).
+struct LightKeyframe {
+    double frame = 0.0;
+    std::optional<glm::dvec3> position, direction;  ///< unset: nothing is said about it at this frame
+};
+
 struct DirectionalLight {
     glm::dvec3 direction{1.0, 0.0, 0.0};  ///< of travel, unit
     glm::dvec3 irradiance{1.0};           ///< power per unit area across the beam
+    std::vector<LightKeyframe> keyframes; ///< by ascending frame, here and below
 };
 struct PointLight {
     glm::dvec3 position{0.0, 2.0, 0.0};
     glm::dvec3 power{10.0};  ///< isotropic
+    std::vector<LightKeyframe> keyframes;
 };
-using Light = std::variant<DirectionalLight, PointLight>;
+struct SpotLight {
+    glm::dvec3 position{0.0, 2.0, 0.0};
+    glm::dvec3 direction{0.0, -1.0, 0.0};  ///< of travel along the axis, unit
+    glm::dvec3 power{10.0};                ///< all that it emits
+    double angle = 40.0;                   ///< of the whole cone [degrees]
+    double blend = 0.15;                   ///< share of half the angle over which it fades
+    std::vector<LightKeyframe> keyframes;
+};
+struct RectangleLight {
+    glm::dvec3 position{0.0, 2.0, 0.0};    ///< centre
+    glm::dvec3 direction{0.0, -1.0, 0.0};  ///< normal of the side that emits, Lambertian; unit
+    glm::dvec3 up{0.0, 1.0, 0.0};          ///< the height runs along its part across `direction`; unit
+    glm::dvec2 size{1.0};                  ///< width, height
+    glm::dvec3 power{10.0};                ///< all that it emits
+    int samples = 16;                      ///< point-like sources that stand for it, at most
+    std::vector<LightKeyframe> keyframes;
+};
+using Light = std::variant<DirectionalLight, PointLight, SpotLight, RectangleLight>;
 
 struct Camera {
     glm::dvec3 position{0.0, 0.0, 4.0}, lookAt{0.0}, up{0.0, 1.0, 0.0};
@@ -110,6 +136,7 @@ struct Environment {
     double rotate = 0.0;
     double intensity = 1.0;
     bool bake = false;
+    int lights = 32;  ///< directional lights that stand for it in the bake, at most
 };
 
 enum class Integrator { kAuto, kEuler, kLeapfrog, kRk4, kSharma };

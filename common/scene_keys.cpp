@@ -162,6 +162,7 @@ const Keys<Environment>& environmentKeys() {
         keys::number<Environment>("rotate", &Environment::rotate, kAnyNumber),
         keys::number<Environment>("intensity", &Environment::intensity, kNotNegative),
         keys::flag<Environment>("bake", &Environment::bake),
+        keys::integer<Environment>("lights", &Environment::lights, {.low = 1.0, .high = 4096.0}),
     };
     return table;
 }

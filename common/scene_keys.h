@@ -43,7 +43,9 @@ Shape readShapeKind(const toml::table& table, const std::string& path);
 /// Name of the shape in files; empty for meshes and volumes, which are named by their file.
 std::string_view shapeName(const Shape& shape);
 
-/// Reads "type". Throws badInput, also for types that are planned but not there.
+/// Reads "type", the default of the kind. Throws badInput.
 Light readLightKind(const toml::table& table, const std::string& path);
+/// Name of the light's type in files.
+std::string_view lightTypeName(const Light& light);
 
 } // namespace eikonal

@@ -50,20 +50,28 @@ nlohmann::json effectsJson(const EffectSet& effects, const Fields& fields) {
     return rows;
 }
 
-/// Patches of one voxel: those of a beam pass every voxel once; those of a point light spread, and what is one voxel wide
-/// at the far faces has been advanced from the light on.
+/// Patches of one voxel: those of a beam pass every voxel once.
+double beamPatchSteps(const glm::dvec3& size) { return size.x * size.y * size.z; }
+
+/// Those of a point spread, and what is one voxel wide at the far faces has been advanced from the light on.
+double pointPatchSteps(const glm::dvec3& size) {
+    return (size.y * size.z + size.z * size.x + size.x * size.y) * std::max({size.x, size.y, size.z});
+}
+
 double patchSteps(const Light& light, const glm::dvec3& size) {
     if (std::holds_alternative<DirectionalLight>(light))
-        return size.x * size.y * size.z;
-    return (size.y * size.z + size.z * size.x + size.x * size.y) * std::max({size.x, size.y, size.z});
+        return beamPatchSteps(size);
+    const auto* rectangle = std::get_if<RectangleLight>(&light);
+    return pointPatchSteps(size) * (rectangle ? rectangle->samples : 1);
 }
 
 nlohmann::json costJson(const Scene& scene, const Fields& fields, const EffectSet& effects) {
     const glm::dvec3 size(fields.lattice.size);
     const double rays = double(scene.render.size.x) * double(scene.render.size.y) * scene.render.samples;
-    double bake = 0.0;
+    double bake = scene.environment.bake ? scene.environment.lights * beamPatchSteps(size) : 0.0;
     for (const Light& light : scene.lights)
-        bake += effects.wantsLight(scene) ? patchSteps(light, size) : 0.0;
+        bake += patchSteps(light, size);
+    bake = effects.wantsLight(scene) ? bake : 0.0;
     return {{"image_rays", std::llround(rays)},
             {"image_steps", std::llround(rays * std::max({size.x, size.y, size.z}))},
             {"bake_patch_steps", std::llround(bake)}};

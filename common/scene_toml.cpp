@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "common/read_table.h"
 #include "common/scene_keys.h"
 #include "common/scene_overrides.h"
 #include "common/scene_values.h"
@@ -25,21 +26,6 @@ toml::table parseText(const std::string& text, const std::string& source) {
         const toml::source_position& at = error.source().begin;
         throw badInput(fmt::format("{}:{}:{}: not a scene file: {}", source, at.line, at.column, error.description()));
     }
-}
-
-/// Reads the keys of one table; `known` are keys that somebody else reads.
-template <class Section>
-void readTable(const toml::table& table, const std::string& path, const Keys<Section>& keys, Section& section,
-               std::vector<std::string_view> known = {}) {
-    for (const Key<Section>& key : keys) {
-        known.push_back(key.name);
-        if (const toml::node* node = table.get(key.name))
-            key.read(section, *node, fmt::format("{}.{}", path, key.name));
-    }
-    for (const auto& [key, value] : table)
-        if (std::find(known.begin(), known.end(), key.str()) == known.end())
-            throw badInput(fmt::format("{}: unknown key '{}' in {}{}; expected {}", describe(positionOf(value)),
-                                       key.str(), path, didYouMean(key.str(), known), listNames(known)));
 }
 
 template <class Section>

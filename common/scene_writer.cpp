@@ -34,8 +34,7 @@ WrittenSection writeObject(const Object& object, std::size_t index) {
 
 WrittenSection writeLight(const Light& light, std::size_t index) {
     WrittenSection written{"[[light]]", fmt::format("light.{}", index), {}};
-    const bool directional = std::holds_alternative<DirectionalLight>(light);
-    written.values.emplace_back("type", writeString(directional ? "directional" : "point"));
+    written.values.emplace_back("type", writeString(std::string(lightTypeName(light))));
     writeKeys(lightKeys(light), light, written);
     return written;
 }

@@ -1,8 +1,7 @@
-// Objects and lights of the scene file: the kind first, then the keys that it has.
+// Objects of the scene file: the kind first, then the keys that it has.
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -27,11 +26,6 @@ Shape defaultShape(std::size_t index, std::index_sequence<kIndices...>) {
 template <class Kind, class Member>
 auto inShape(Member Kind::* member) {
     return [member](auto& object) -> auto& { return std::get<Kind>(object.shape).*member; };
-}
-
-template <class Kind, class Member>
-auto inLight(Member Kind::* member) {
-    return [member](auto& light) -> auto& { return std::get<Kind>(light).*member; };
 }
 
 Key<Object> checkerKey() {
@@ -120,20 +114,6 @@ Key<Object> constant(std::string_view name, Quantity Object::* member, Limits li
     return key;
 }
 
-Key<Light> directionKey() {
-    return {"direction",
-            [](Light& light, const toml::node& node, const std::string& key) {
-                const glm::dvec3 direction = readVector3(node, key, kAnyNumber);
-                const double length = glm::length(direction);
-                if (!(length > 0.0) || !std::isfinite(length))
-                    throw wrongValue(node, key, "a direction, not of length 0");
-                // A unit vector stays as it is, to the last bit: written scenes read back equal.
-                const bool unit = std::abs(length - 1.0) < 1e-15;
-                std::get<DirectionalLight>(light).direction = unit ? direction : direction / length;
-            },
-            [](const Light& light) { return writeVector(std::get<DirectionalLight>(light).direction); }};
-}
-
 } // namespace
 
 std::string_view shapeName(const Shape& shape) { return kShapeNames[shape.index()]; }
@@ -207,28 +187,6 @@ const Keys<Object>& objectKeys() {
         keys::number<Object>("scale", &Object::scale, kPositive),
     };
     return table;
-}
-
-Light readLightKind(const toml::table& table, const std::string& path) {
-    const toml::node* type = table.get("type");
-    if (!type || type->value<std::string_view>() == "directional")
-        return DirectionalLight{};
-    if (type->value<std::string_view>() == "point")
-        return PointLight{};
-    for (const std::string_view planned : {"spot", "rectangle"})
-        if (type->value<std::string_view>() == planned)
-            throw badInput(fmt::format("{}: {}.type: lights of type '{}' are not supported yet, expected 'directional' "
-                                       "or 'point'",
-                                       describe(positionOf(*type)), path, planned));
-    throw wrongChoice(*type, path + ".type", {"directional", "point"});
-}
-
-Keys<Light> lightKeys(const Light& light) {
-    if (std::holds_alternative<DirectionalLight>(light))
-        return {directionKey(),
-                keys::vector3<Light>("irradiance", inLight(&DirectionalLight::irradiance), kNotNegative)};
-    return {keys::vector3<Light>("position", inLight(&PointLight::position), kAnyNumber),
-            keys::vector3<Light>("power", inLight(&PointLight::power), kNotNegative)};
 }
 
 } // namespace eikonal

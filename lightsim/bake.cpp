@@ -27,52 +27,85 @@ BakedLight darkness(const Lattice& lattice) {
     return {lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
 }
 
-/// Propagates the light once per slab of voxel layers, so that the sums never need more than one block each.
-void bakeSlabs(bake::LightMethod& method, const Fields& fields, const BakeOptions& options, BakeResult& result) {
-    const int depth = fields.lattice.size.z;
-    for (int begin = 0; begin < depth; begin += method.layers()) {
-        const auto start = Clock::now();
-        method.propagate(begin, std::min(begin + method.layers(), depth), options.progress);
-        result.statistics.seconds.propagate += secondsSince(start);
-        const auto readStart = Clock::now();
-        method.read(fields.opaque, result.light);
-        result.statistics.seconds.read += secondsSince(readStart);
+} // namespace
+
+/// What stays on the device from one bake to the next.
+struct LightSimulator::Device {
+    GpuFields fields;
+    int bands;
+    std::unique_ptr<bake::LightMethod> method;
+
+    std::size_t bytes() const {
+        std::size_t sum = method->bytes();
+        for (const auto& [name, textureBytes] : fields.textures()) {
+            sum += textureBytes;
+        }
+        return sum;
     }
-    result.statistics.patches = method.counts();
+
+    /// Propagates the light once per slab of voxel layers, so that the sums never need more than one block each.
+    void bakeSlabs(const Fields& sceneFields, const BakeOptions& options, BakeResult& result) {
+        const int depth = sceneFields.lattice.size.z;
+        for (int begin = 0; begin < depth; begin += method->layers()) {
+            const auto start = Clock::now();
+            method->propagate(begin, std::min(begin + method->layers(), depth), options.progress);
+            result.statistics.seconds.propagate += secondsSince(start);
+            const auto readStart = Clock::now();
+            method->read(sceneFields.opaque, result.light);
+            result.statistics.seconds.read += secondsSince(readStart);
+        }
+        result.statistics.patches = method->counts();
+    }
+};
+
+LightSimulator::LightSimulator(const gpu::Context& context, const Scene& scene, const Fields& fields,
+                               const EffectSet& effects, const BakeOptions& options)
+    : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options),
+      criteria_(std::make_unique<bake::Criteria>(bake::criteriaOf(scene.accuracy, fields))) {}
+
+LightSimulator::~LightSimulator() = default;
+
+LightSimulator::Device& LightSimulator::deviceFor(int bands, const bake::LaunchGrids& grids,
+                                                  const bake::BakeSettings& settings) {
+    if (!device_ || device_->bands != bands) {
+        const std::size_t blockBytes =
+            options_.maxBlockBytes > 0 ? options_.maxBlockBytes : context_.limits().maxStorageBlockBytes;
+        device_.reset();  // the old one's memory before the new one's
+        device_ = std::make_unique<Device>(Device{GpuFields(context_, fields_, effects_), bands, nullptr});
+        device_->method =
+            bake::makeMethod(context_, {fields_, accuracy_, definesOf(device_->fields, bands), bands, blockBytes}, options_,
+                             grids, settings);
+    }
+    device_->fields.bind();
+    device_->method->setLights(context_, grids, settings);
+    return *device_;
 }
 
-} // namespace
+BakeResult LightSimulator::bake(const LightSet& lights) {
+    const auto start = Clock::now();
+    BakeResult result{darkness(fields_.lattice), {}, {}};
+    result.statistics.device = context_.rendererName();
+    const bake::LaunchGrids grids =
+        bake::launchGrids(lights, fields_.lattice, criteria_->maxSide, criteria_->splitShare);
+    result.statistics.energy.emitted = grids.emitted;
+    if (grids.strongestPower > 0.0) {
+        const bake::BakeSettings settings = bake::settingsOf(*criteria_, grids, fields_, options_);
+        Device& device = deviceFor(bake::bandsOf(lights, fields_, effects_), grids, settings);
+        result.statistics.memoryBytes = device.bytes();
+        result.statistics.seconds.upload = secondsSince(start);
+        device.bakeSlabs(fields_, options_, result);
+        bake::readLedger(device.method->ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
+        bake::integrateDeposits(fields_, result.light, result.statistics.energy);
+    }
+    context_.throwIfError();
+    result.statistics.seconds.total = secondsSince(start);
+    return result;
+}
 
 BakeResult bakeScene(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
                      const BakeOptions& options) {
-    const auto start = Clock::now();
-    BakeResult result{darkness(fields.lattice), {}};
-    result.statistics.device = context.rendererName();
-    const bake::Criteria criteria = bake::criteriaOf(scene.accuracy, fields);
-    const bake::LaunchGrids grids =
-        bake::launchGrids(scene.lights, fields.lattice, criteria.maxSide, criteria.splitShare);
-    result.statistics.energy.emitted = grids.emitted;
-    if (grids.strongestPower > 0.0) {
-        const GpuFields gpuFields(context, fields, effects);
-        gpuFields.bind();
-        const int bands = bake::bandsOf(scene, fields, effects);
-        const std::size_t blockBytes =
-            options.maxBlockBytes > 0 ? options.maxBlockBytes : context.limits().maxStorageBlockBytes;
-        const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);
-        const auto method = bake::makeMethod(
-            context, {fields, scene.accuracy, definesOf(gpuFields, bands), bands, blockBytes}, options, grids, settings);
-        result.statistics.seconds.upload = secondsSince(start);
-        bakeSlabs(*method, fields, options, result);
-        bake::readLedger(method->ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
-        bake::integrateDeposits(fields, result.light, result.statistics.energy);
-        for (const auto& [name, bytes] : gpuFields.textures()) {
-            result.statistics.memoryBytes += bytes;
-        }
-        result.statistics.memoryBytes += method->bytes();
-    }
-    context.throwIfError();
-    result.statistics.seconds.total = secondsSince(start);
-    return result;
+    LightSimulator simulator(context, scene, fields, effects, options);
+    return simulator.bake(lightsAt(lightsOf(scene, effects), 0.0));
 }
 
 } // namespace eikonal

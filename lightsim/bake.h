@@ -6,15 +6,24 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "common/baked_light.h"
 #include "common/effects.h"
 #include "common/fields.h"
 #include "common/gpu/context.h"
 #include "common/scene.h"
+#include "lightsim/light_set.h"
 
 namespace eikonal {
+
+namespace bake {
+struct BakeSettings;
+struct Criteria;
+struct LaunchGrids;
+} // namespace bake
 
 struct BakeOptions {
     std::uint32_t poolPatches = 16384;  ///< patches alive at a time; any number >= 8 gives the same grids
@@ -25,7 +34,7 @@ struct BakeOptions {
 
 /// Where the launched power went, by band [power].
 struct EnergyLedger {
-    glm::dvec3 emitted{0.0};    ///< point: power; beam: irradiance × projected area of the domain
+    glm::dvec3 emitted{0.0};    ///< power; of a beam irradiance × projected area of the domain
     glm::dvec3 entered{0.0};
     glm::dvec3 absorbed{0.0};   ///< by the medium and by opaque matter
     glm::dvec3 absorbedOpaque{0.0};  ///< of it, by opaque matter
@@ -38,6 +47,7 @@ struct EnergyLedger {
 
     /// 1 - (absorbed + scattered + exited + reflected + culled)/entered; 0 where nothing entered.
     glm::dvec3 balance() const;
+    EnergyLedger& operator+=(const EnergyLedger& other);
 };
 
 struct PatchCounts {
@@ -50,7 +60,7 @@ struct PatchCounts {
 };
 
 struct BakeSeconds {
-    double upload = 0.0;
+    double upload = 0.0;     ///< textures, buffers and kernels, where they are not there from an earlier bake
     double propagate = 0.0;  ///< emit, propagate, deposit and refine
     double read = 0.0;       ///< fixed point to grids, ledger
     double total = 0.0;
@@ -64,13 +74,44 @@ struct BakeStatistics {
     std::size_t memoryBytes = 0;  ///< of buffers and textures
 };
 
+/// What one light of several leaves.
+struct NamedLight {
+    std::string name;  ///< "light0", ..., "environment"
+    BakedLight light;
+};
+
 struct BakeResult {
     BakedLight light;
     BakeStatistics statistics;
+    std::vector<NamedLight> parts;  ///< only where asked for (lightsim/per_light.h); `light` is their sum
 };
 
-/// Bakes the light of a scene. `effects` decides what acts on it. Without lights the grids are zero.
-/// Throws Error(kFailure) when interrupted, badInput for a lattice beyond the device.
+/// Bakes any number of sets of lights through one scene: what depends on matter alone is on the device once.
+class LightSimulator {
+public:
+    /// `effects` decides what acts on the light. Keeps references to the context and the fields.
+    LightSimulator(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
+                   const BakeOptions& options);
+    ~LightSimulator();
+
+    /// Lights as they stand, whatever their keyframes say. Without power the grids are zero.
+    /// Throws Error(kFailure) when interrupted, badInput for a lattice beyond the device.
+    BakeResult bake(const LightSet& lights);
+
+private:
+    struct Device;
+    Device& deviceFor(int bands, const bake::LaunchGrids& grids, const bake::BakeSettings& settings);
+
+    const gpu::Context& context_;
+    Accuracy accuracy_;
+    const Fields& fields_;
+    EffectSet effects_;
+    BakeOptions options_;
+    std::unique_ptr<bake::Criteria> criteria_;
+    std::unique_ptr<Device> device_;
+};
+
+/// Bakes the light of a scene at frame 0. Throws as LightSimulator::bake and lightsOf.
 BakeResult bakeScene(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
                      const BakeOptions& options);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
+
+#include "lightsim/point_source.h"
 
 namespace eikonal::bake {
 
@@ -19,6 +21,7 @@ constexpr double kInset = 1e-5;
 constexpr double kMinWindowCosine = 0.35;
 constexpr std::uint32_t kNearCells = 16;   // per side of a cube face about a light inside the domain
 constexpr std::uint32_t kCloseCells = 64;  // the same for a light just outside
+constexpr std::uint32_t kConeCells = 64;   // per side of the square about a cone, at least: its edge is a few of them wide
 
 struct Window {
     dvec2 low{1e300}, high{-1e300};
@@ -37,15 +40,6 @@ std::array<dvec3, 8> cornersOf(const Lattice& lattice) {
     return corners;
 }
 
-/// Two unit vectors across `direction`: coordinate axes where it is one.
-std::array<dvec3, 2> axesAcross(const dvec3& direction) {
-    const dvec3 magnitude = glm::abs(direction);
-    dvec3 least(0.0);
-    least[magnitude.x < magnitude.y && magnitude.x < magnitude.z ? 0 : (magnitude.y <= magnitude.z ? 1 : 2)] = 1.0;
-    const dvec3 u = glm::normalize(least - direction * glm::dot(least, direction));
-    return {u, glm::cross(direction, u)};
-}
-
 std::uint32_t cellsAlong(double length, double maxSide) {
     return std::uint32_t(std::clamp(std::ceil(length / maxSide * (1.0 - 1e-9)), 1.0, 65535.0));
 }
@@ -62,7 +56,45 @@ public:
     GridBuilder(const Lattice& lattice, double maxSide, double splitShare)
         : lattice_(lattice), maxSide_(maxSide), splitShare_(splitShare) {}
 
-    void add(const DirectionalLight& light) {
+    void add(const DirectionalLight& light) { add(std::vector{light}); }
+
+    void add(const PointLight& light) {
+        grids_.emitted += light.power;
+        push(framesOf(pointSourceOf(light)), 1, kNoLimit);
+    }
+
+    void add(const SpotLight& light) {
+        grids_.emitted += light.power;
+        push(framesOf(pointSourceOf(light)), 1, strongestOf(light.power));
+    }
+
+    void add(const RectangleLight& light) {
+        grids_.emitted += light.power;
+        const std::vector<PointSource> sources = pointSourcesOf(light);
+        std::vector<LaunchFrame> frames;
+        for (const PointSource& source : sources) {
+            const std::vector<LaunchFrame> more = framesOf(source);
+            frames.insert(frames.end(), more.begin(), more.end());
+        }
+        push(frames, sources.size(), strongestOf(light.power));
+    }
+
+    /// One light, whatever the number of its beams.
+    void add(const std::vector<DirectionalLight>& beams) {
+        std::vector<LaunchFrame> frames;
+        for (const DirectionalLight& beam : beams) {
+            grids_.emitted += beam.irradiance * projectedArea(lattice_, glm::normalize(beam.direction));
+            frames.push_back(beamFrame(beam));
+        }
+        push(frames, beams.size(), kNoLimit);
+    }
+
+    LaunchGrids take() { return std::move(grids_); }
+
+private:
+    static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+    LaunchFrame beamFrame(const DirectionalLight& light) const {
         const dvec3 direction = glm::normalize(light.direction);
         const auto [u, v] = axesAcross(direction);
         Window window;
@@ -78,22 +110,32 @@ public:
         frame.centre = u * middle.x + v * middle.y + direction * nearest;
         frame.strength = light.irradiance;
         placeAxes(frame, u * half.x, v * half.y);
-        grids_.emitted += light.irradiance * projectedArea(lattice_, direction);
-        push({frame});
+        return frame;
     }
 
-    void add(const PointLight& light) {
-        const dvec3 nearest = glm::clamp(light.position, lattice_.min, lattice_.max());
-        const double distance = glm::distance(nearest, light.position);
-        const dvec3 axis = lattice_.min + 0.5 * lattice_.extent() - light.position;
-        grids_.emitted += light.power;
-        const bool distant = distance > 0.0 && seenInWindow(light.position, axis);
-        push(distant ? std::vector{windowFrame(light, axis, distance)} : cubeFrames(light, distance));
+    /// The smaller one of the windows towards the domain and about the source's cone; a cube where there is neither.
+    std::vector<LaunchFrame> framesOf(const PointSource& source) const {
+        const dvec3 nearest = glm::clamp(source.position, lattice_.min, lattice_.max());
+        const double distance = glm::distance(nearest, source.position);
+        const dvec3 towardsDomain = lattice_.min + 0.5 * lattice_.extent() - source.position;
+        std::vector<LaunchFrame> frames;
+        if (distance > 0.0 && seenInWindow(source.position, towardsDomain)) {
+            frames = {windowFrame(source, towardsDomain, distance)};
+        }
+        if (source.profile == PROFILE_CONE && 1.0 - source.coneOuter > kMinWindowCosine) {
+            const LaunchFrame cone = coneFrame(source, towardsDomain, distance);
+            if (frames.empty() || windowTangent(cone) < windowTangent(frames.front())) {
+                frames = {cone};
+            }
+        }
+        return frames.empty() ? cubeFrames(source, distance) : frames;
     }
 
-    LaunchGrids take() { return std::move(grids_); }
+    /// Of half the angle that a square about the window subtends.
+    static double windowTangent(const LaunchFrame& frame) {
+        return double(std::max(glm::length(frame.a), glm::length(frame.b)) / glm::length(frame.axis));
+    }
 
-private:
     bool seenInWindow(const dvec3& position, const dvec3& axis) const {
         const auto corners = cornersOf(lattice_);
         return std::all_of(corners.begin(), corners.end(), [&](const dvec3& corner) {
@@ -103,32 +145,53 @@ private:
     }
 
     /// One grid on the plane through the domain's centre, as wide as the domain's shadow on it.
-    LaunchFrame windowFrame(const PointLight& light, const dvec3& axis, double distance) const {
+    LaunchFrame windowFrame(const PointSource& source, const dvec3& axis, double distance) const {
         const double axisLength = glm::length(axis);
         const dvec3 direction = axis / axisLength;
         const auto [u, v] = axesAcross(direction);
         double halfU = 0.0, halfV = 0.0;
         for (const dvec3& corner : cornersOf(lattice_)) {
-            const dvec3 towards = corner - light.position;
+            const dvec3 towards = corner - source.position;
             const dvec3 onPlane = towards * (axisLength / glm::dot(towards, direction)) - axis;
             halfU = std::max(halfU, std::abs(glm::dot(onPlane, u)));
             halfV = std::max(halfV, std::abs(glm::dot(onPlane, v)));
         }
-        LaunchFrame frame = pointFrame(light, axis, distance);
+        LaunchFrame frame = pointFrame(source, axis, distance);
         placeAxes(frame, u * halfU, v * halfV);
         return frame;
     }
 
-    /// Six faces of a cube about the light.
-    std::vector<LaunchFrame> cubeFrames(const PointLight& light, double distance) const {
+    /// A square about a cone, on a plane across its axis at the depth of the domain.
+    LaunchFrame coneFrame(const PointSource& source, const dvec3& towardsDomain, double distance) const {
+        const double depth =
+            distance > 0.0 ? std::max(distance, glm::dot(towardsDomain, source.axis)) : lattice_.voxel;
+        const double cosine = 1.0 - source.coneOuter;
+        const double half = depth * std::sqrt(source.coneOuter * (1.0 + cosine)) / cosine;
+        const auto [u, v] = axesAcross(source.axis);
+        LaunchFrame frame = pointFrame(source, source.axis * depth, distance);
+        placeAxes(frame, u * half, v * half);
+        frame.cellsU = std::max(frame.cellsU, kConeCells);
+        frame.cellsV = std::max(frame.cellsV, kConeCells);
+        return frame;
+    }
+
+    /// Faces of a cube about the source, in front of its axis and around it; those that get no light are left out.
+    std::vector<LaunchFrame> cubeFrames(const PointSource& source, double distance) const {
         std::vector<LaunchFrame> frames;
-        const double half = lattice_.voxel;
-        for (int face = 0; face < 6; ++face) {
-            dvec3 axis(0.0), u(0.0), v(0.0);
-            axis[face / 2] = face % 2 == 0 ? half : -half;
-            u[(face / 2 + 1) % 3] = half;
-            v[(face / 2 + 2) % 3] = half;
-            LaunchFrame frame = pointFrame(light, axis, distance);
+        const auto [across, along] = axesAcross(source.axis);
+        const std::array<dvec3, 3> basis{source.axis * lattice_.voxel, across * lattice_.voxel, along * lattice_.voxel};
+        for (std::size_t face = 0; face < 6; ++face) {
+            const dvec3 axis = face % 2 == 0 ? basis[face / 2] : -basis[face / 2];
+            const dvec3 u = basis[(face / 2 + 1) % 3];
+            const dvec3 v = basis[(face / 2 + 2) % 3];
+            // Only the face behind can be dark, and a profile reaches its corners first. Cones that end before the corners
+            // of the others are launched through a window.
+            const bool dark = source.shareAlong(axis + u + v) + source.shareAlong(axis + u - v) +
+                                  source.shareAlong(axis - u + v) + source.shareAlong(axis - u - v) <= 0.0;
+            if (dark) {
+                continue;
+            }
+            LaunchFrame frame = pointFrame(source, axis, distance);
             frame.a = u;
             frame.b = v;
             frame.cellsU = frame.cellsV = distance > 0.0 ? kCloseCells : kNearCells;
@@ -137,14 +200,18 @@ private:
         return frames;
     }
 
-    LaunchFrame pointFrame(const PointLight& light, const dvec3& axis, double distance) const {
+    LaunchFrame pointFrame(const PointSource& source, const dvec3& axis, double distance) const {
         LaunchFrame frame{};
         frame.isPoint = 1u;
-        frame.origin = light.position;
+        frame.origin = source.position;
         frame.axis = axis;
-        frame.centre = light.position + axis;
+        frame.centre = source.position + axis;
         frame.phase = float(glm::length(axis) - distance);
-        frame.strength = light.power / (4.0 * std::numbers::pi);
+        frame.strength = source.intensity;
+        frame.profile = source.profile;
+        frame.profileAxis = source.axis;
+        frame.coneInner = float(source.coneInner);
+        frame.coneOuter = float(source.coneOuter);
         return frame;
     }
 
@@ -162,20 +229,21 @@ private:
         return strongestOf(frame.strength) * area / distance2;
     }
 
-    /// The frames of one light.
-    void push(const std::vector<LaunchFrame>& frames) {
-        double launched = 0.0;
+    /// The frames of one light, of so many sources that it is simulated as. What patches of different sources misplace adds
+    /// in squares. Where the frames have a profile they launch less than the bound: not more than `limit`.
+    void push(const std::vector<LaunchFrame>& frames, std::size_t sources, double limit) {
+        double bound = 0.0;
         for (const LaunchFrame& frame : frames) {
             grids_.strongestCellPower = std::max(grids_.strongestCellPower, cellPowerBound(frame));
-            launched += cellPowerBound(frame) * frame.cellsU * frame.cellsV;
+            bound += cellPowerBound(frame) * frame.cellsU * frame.cellsV;
         }
         for (LaunchFrame frame : frames) {
-            frame.splitPower = float(splitShare_ * launched);
+            frame.splitPower = float(splitShare_ * std::min(bound, limit) / std::sqrt(double(sources)));
             frame.firstCell = grids_.cellCount;
             grids_.cellCount += frame.cellsU * frame.cellsV;
             grids_.frames.push_back(frame);
         }
-        grids_.strongestPower += launched;
+        grids_.strongestPower += bound;
     }
 
     const Lattice& lattice_;
@@ -186,11 +254,12 @@ private:
 
 } // namespace
 
-LaunchGrids launchGrids(const std::vector<Light>& lights, const Lattice& lattice, double maxSide, double splitShare) {
+LaunchGrids launchGrids(const LightSet& lights, const Lattice& lattice, double maxSide, double splitShare) {
     GridBuilder builder(lattice, maxSide, splitShare);
-    for (const Light& light : lights) {
+    for (const Light& light : lights.lights) {
         std::visit([&](const auto& one) { builder.add(one); }, light);
     }
+    builder.add(lights.environment);
     return builder.take();
 }
 

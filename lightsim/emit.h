@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "common/lattice.h"
-#include "common/scene.h"
+#include "lightsim/light_set.h"
 #include "shaders/shared/bake_blocks.h"
 
 namespace eikonal::bake {
@@ -21,8 +21,8 @@ struct LaunchGrids {
 };
 
 /// Launch grids whose cells are at most `maxSide` [scene units] where a beam or a distant light enters the domain, and
-/// small angles about a near one. Patches with less than `splitShare` of what
-/// their light launches are not split.
-LaunchGrids launchGrids(const std::vector<Light>& lights, const Lattice& lattice, double maxSide, double splitShare);
+/// small angles about a near one. Patches with less than `splitShare` of what their light launches are not split; less by
+/// the root of their number where many sources stand for one light.
+LaunchGrids launchGrids(const LightSet& lights, const Lattice& lattice, double maxSide, double splitShare);
 
 } // namespace eikonal::bake

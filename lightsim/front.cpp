@@ -124,7 +124,7 @@ std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene
     }
     const bake::Criteria criteria = bake::criteriaOf(accuracy, fields);
     const bake::LaunchGrids grids =
-        bake::launchGrids(scene.lights, fields.lattice, criteria.maxSide, criteria.splitShare);
+        bake::launchGrids(lightsAt(lightsOf(scene, effects), 0.0), fields.lattice, criteria.maxSide, criteria.splitShare);
     if (!(grids.strongestPower > 0.0)) {
         return {};
     }

@@ -37,11 +37,13 @@ bool isGrey(const DenseGrid<glm::vec3>& grid) {
                        [](const glm::vec3& value) { return value.x == value.y && value.y == value.z; });
 }
 
-glm::dvec3 strengthOf(const Light& light) {
-    if (const auto* beam = std::get_if<DirectionalLight>(&light)) {
-        return beam->irradiance;
-    }
-    return std::get<PointLight>(light).power;
+bool isGrey(const glm::dvec3& strength) { return strength.x == strength.y && strength.y == strength.z; }
+
+bool isGrey(const DirectionalLight& light) { return isGrey(light.irradiance); }
+
+template <class Powered>
+bool isGrey(const Powered& light) {
+    return isGrey(light.power);
 }
 
 } // namespace
@@ -109,13 +111,14 @@ TubeSettings tubeSettingsOf(const Accuracy& accuracy, const LaunchGrids& grids, 
     return settings;
 }
 
-int bandsOf(const Scene& scene, const Fields& fields, const EffectSet& effects) {
+int bandsOf(const LightSet& lights, const Fields& fields, const EffectSet& effects) {
     const bool greyMatter = (!effects.has(Effect::kAbsorption) || isGrey(fields.sigmaA)) &&
                             (!effects.has(Effect::kScattering) || isGrey(fields.sigmaS));
-    const bool greyLight = std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
-        const glm::dvec3 strength = strengthOf(light);
-        return strength.x == strength.y && strength.y == strength.z;
-    });
+    const bool greyLight =
+        std::all_of(lights.lights.begin(), lights.lights.end(),
+                    [](const Light& light) { return std::visit([](const auto& one) { return isGrey(one); }, light); }) &&
+        std::all_of(lights.environment.begin(), lights.environment.end(),
+                    [](const DirectionalLight& beam) { return isGrey(beam); });
     return greyMatter && greyLight ? 1 : 3;
 }
 

@@ -31,6 +31,6 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
 TubeSettings tubeSettingsOf(const Accuracy& accuracy, const LaunchGrids& grids, const Fields& fields);
 
 /// 1 when every light is of one colour and every optical constant is grey, else 3.
-int bandsOf(const Scene& scene, const Fields& fields, const EffectSet& effects);
+int bandsOf(const LightSet& lights, const Fields& fields, const EffectSet& effects);
 
 } // namespace eikonal::bake

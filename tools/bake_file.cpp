@@ -51,9 +51,9 @@ std::string differenceFrom(const Scene& scene, const std::string& bakedScene, co
 
 } // namespace
 
-void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields,
-                   const BakeResult& result) {
-    const Metadata metadata{
+void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields, const BakeResult& result,
+                   std::optional<int> frame) {
+    Metadata metadata{
         {"creator", std::string(kCreator)},
         {"version", std::string(kVersion)},
         {"scene", resolvedToml(scene)},
@@ -62,10 +62,16 @@ void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const 
         {"seconds", result.statistics.seconds.total},
         {"renderer", result.statistics.device},
     };
-    writeVdb(path, result.light.lattice,
-             {{.name = "irradiance", .values = &result.light.irradiance},
-              {.name = "light_direction", .values = &result.light.lightDirection}},
-             metadata);
+    if (frame) {
+        metadata["frame"] = double(*frame);
+    }
+    std::vector<NamedGrid> grids{{.name = "irradiance", .values = &result.light.irradiance},
+                                 {.name = "light_direction", .values = &result.light.lightDirection}};
+    for (const NamedLight& part : result.parts) {
+        grids.push_back({.name = "irradiance_" + part.name, .values = &part.light.irradiance});
+        grids.push_back({.name = "light_direction_" + part.name, .values = &part.light.lightDirection});
+    }
+    writeVdb(path, result.light.lattice, grids, metadata);
 }
 
 BakedLight readBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields,

@@ -1,7 +1,9 @@
 #pragma once
-// Bakes as VDB files: grids `irradiance` and `light_direction`, and metadata that says what they were baked from.
+// Bakes as VDB files: grids `irradiance` and `light_direction`, the same for each light where a bake holds them apart
+// (`irradiance_light0`, ...), and metadata that says what they were baked from.
 
 #include <filesystem>
+#include <optional>
 
 #include "common/baked_light.h"
 #include "common/fields.h"
@@ -11,9 +13,9 @@
 namespace eikonal {
 
 /// File metadata: creator, version, scene (TOML text, everything resolved), scene_hash, energy (JSON text), seconds,
-/// renderer. Throws failure for an unwritable folder or a full disk.
-void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields,
-                   const BakeResult& result);
+/// renderer, and the number of the frame in a sequence. Throws failure for an unwritable folder or a full disk.
+void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const Fields& fields, const BakeResult& result,
+                   std::optional<int> frame = std::nullopt);
 
 enum class OtherScene { kRefuse, kAccept };
 

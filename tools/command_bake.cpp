@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -14,9 +15,10 @@
 #include "common/fields.h"
 #include "common/gpu/context.h"
 #include "common/output_file.h"
-#include "lightsim/bake.h"
 #include "lightsim/front.h"
+#include "lightsim/per_light.h"
 #include "tools/bake_file.h"
+#include "tools/frame_name.h"
 #include "tools/front_ply.h"
 #include "tools/scene_arguments.h"
 #include "tools/statistics_json.h"
@@ -31,6 +33,11 @@ struct BakeArguments {
     std::string output;
     std::string statistics;
     std::vector<double> wavefront;  ///< optical times [scene units]; empty: a bake
+    int frames = 0;  ///< of a sequence; 0: a single bake, of frame 0
+    bool perLight = false;
+
+    bool isSequence() const { return frames > 0; }
+    std::string outputOf(int frame) const { return isSequence() ? frameName(output, frame) : output; }
 };
 
 void requireFrontArguments(const BakeArguments& arguments) {
@@ -67,29 +74,53 @@ void runFronts(const BakeArguments& arguments, const ProgramOptions& options) {
     note(options, fmt::format("{}: {} patches of wavefronts", arguments.output, patches.size()));
 }
 
-void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
-    requireWritable(arguments.output);
+/// A single bake's statistics as they are, those of a sequence as a list.
+nlohmann::json statisticsJson(const BakeArguments& arguments, const std::vector<nlohmann::json>& rows) {
+    return arguments.isSequence() ? nlohmann::json{{"frames", rows}} : rows.front();
+}
+
+void requireOutputs(const BakeArguments& arguments) {
+    if (arguments.isSequence() && !hasFrameNumber(arguments.output)) {
+        throw CLI::ValidationError("--output", fmt::format("expected a name with #### in place of the frame's number, "
+                                                           "found '{}'", arguments.output));
+    }
+    requireWritable(arguments.outputOf(0));
     if (!arguments.statistics.empty()) {
         requireWritable(arguments.statistics);
     }
+}
+
+void noteBake(const std::string& file, const BakeResult& result, const ProgramOptions& options) {
+    const glm::ivec3& size = result.light.lattice.size;
+    note(options, fmt::format("{}: {} x {} x {} voxels in {:.2f} s, energy balance within {:.1e}", file, size.x, size.y,
+                              size.z, result.statistics.seconds.total, worstBalance(result.statistics.energy)));
+}
+
+void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
+    requireOutputs(arguments);
     const Scene scene = sceneOf(arguments.scene);
     const gpu::Context context = gpu::Context::windowless();
     Progress progress(options);
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
     const EffectSet effects = decideEffects(scene, fields);
+    const LightSet lights = lightsOf(scene, effects);
     BakeOptions bakeOptions;
     bakeOptions.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
-    const BakeResult result = bakeScene(context, scene, fields, effects, bakeOptions);
-    progress.finish();
-
-    writeBakeFile(arguments.output, scene, fields, result);
-    if (!arguments.statistics.empty()) {
-        writeFile(arguments.statistics, bakeJson(result.statistics, effects).dump(2) + "\n");
+    LightSimulator simulator(context, scene, fields, effects, bakeOptions);
+    std::vector<nlohmann::json> statistics;
+    for (int frame = 0; frame < std::max(arguments.frames, 1); ++frame) {
+        const LightSet placed = lightsAt(lights, frame);
+        const BakeResult result = arguments.perLight ? bakePerLight(simulator, placed) : simulator.bake(placed);
+        progress.finish();
+        writeBakeFile(arguments.outputOf(frame), scene, fields, result,
+                      arguments.isSequence() ? std::optional(frame) : std::nullopt);
+        noteBake(arguments.outputOf(frame), result, options);
+        statistics.push_back(bakeJson(result.statistics, effects));
     }
-    note(options, fmt::format("{}: {} x {} x {} voxels in {:.2f} s, energy balance within {:.1e}", arguments.output,
-                              fields.lattice.size.x, fields.lattice.size.y, fields.lattice.size.z,
-                              result.statistics.seconds.total, worstBalance(result.statistics.energy)));
+    if (!arguments.statistics.empty()) {
+        writeFile(arguments.statistics, statisticsJson(arguments, statistics).dump(2) + "\n");
+    }
 }
 
 } // namespace
@@ -104,13 +135,22 @@ void addBakeCommand(CLI::App& program, const ProgramOptions& options) {
     CLI::Option* statistics =
         command->add_option("--stats", arguments->statistics, "write seconds, patch counts and the energy ledger as JSON")
             ->type_name("FILE.json");
+    CLI::Option* frames =
+        command->add_option("--frames", arguments->frames,
+                            "bake frames 0 to N-1 of lights that move; #### in the output's name becomes the frame's number")
+            ->type_name("N")
+            ->check(CLI::PositiveNumber);
+    CLI::Option* perLight =
+        command->add_flag("--per-light", arguments->perLight, "simulate each light on its own and write its grids too");
     command->add_option("--wavefront", arguments->wavefront,
                         "write the wavefronts' patches at these optical times instead of a bake; in scene units from when "
                         "a light first meets the domain")
         ->type_name("T1,T2,...")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->excludes(statistics);
+        ->excludes(statistics)
+        ->excludes(frames)
+        ->excludes(perLight);
     addIntegerKey(*command, arguments->scene,
                   {"--resolution", "domain.resolution", "VOXELS",
                    fmt::format("voxels along the domain's longest side [the scene's, else {}]", Domain{}.resolution)});

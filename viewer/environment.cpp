@@ -1,29 +1,24 @@
 #include "viewer/environment.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "common/physics.h"
+#include "common/environment_map.h"
 
 namespace eikonal::viewer {
 
 namespace {
 
-constexpr glm::ivec2 kGradientCells{256, 128};  // of the sphere; the means are good to 1e-4 of themselves
-constexpr int kAmbientRows = 256;             // a larger map is looked at in every so many rows and columns
+constexpr int kAmbientRows = 256;  // a larger map is looked at in every so many rows and columns
 
-/// Cosine-weighted mean of a radiance over the hemispheres about +X, -X, +Y, -Y, +Z, -Z, in the map's own frame.
-template <class Radiance>
-std::array<glm::vec3, 6> hemisphereMeans(const glm::ivec2& cells, const Radiance& radianceOf, double angle) {
+/// Cosine-weighted mean of radiance over the hemispheres about +X, -X, +Y, -Y, +Z, -Z.
+std::array<glm::vec3, 6> hemisphereMeans(const EnvironmentCells& cells) {
     std::array<glm::dvec3, 6> sum{};
     std::array<double, 6> weight{};
-    for (int y = 0; y < cells.y; ++y) {
-        for (int x = 0; x < cells.x; ++x) {
-            const glm::dvec2 uv((x + 0.5) / cells.x, (y + 0.5) / cells.y);
-            const glm::dvec3 own = f64::directionFromLatLong(uv);
-            const glm::dvec3 direction = f64::turnedAboutY(own, -angle);
-            const double solidAngle = std::sqrt(std::max(0.0, 1.0 - own.y * own.y));
-            const glm::dvec3 radiance = radianceOf(uv, direction);
+    for (int y = 0; y < cells.size().y; ++y) {
+        const double solidAngle = cells.solidAngle(y);
+        for (int x = 0; x < cells.size().x; ++x) {
+            const glm::dvec3 direction = cells.direction(x, y);
+            const glm::dvec3 radiance = cells.radiance(x, y);
             for (std::size_t face = 0; face < 6; ++face) {
                 const double along = direction[int(face / 2)] * (face % 2 == 0 ? 1.0 : -1.0);
                 if (along <= 0.0) continue;
@@ -35,23 +30,6 @@ std::array<glm::vec3, 6> hemisphereMeans(const glm::ivec2& cells, const Radiance
     std::array<glm::vec3, 6> means{};
     for (std::size_t face = 0; face < 6; ++face) means[face] = glm::vec3(sum[face] / weight[face]);
     return means;
-}
-
-std::array<glm::vec3, 6> ambientOfMap(const Image& map, const Environment& environment, double angle) {
-    const int stride = std::max(1, map.size.y / kAmbientRows);
-    const glm::ivec2 cells = glm::max(map.size / stride, glm::ivec2(1));
-    const auto radiance = [&](const glm::dvec2& uv, const glm::dvec3&) {
-        const glm::ivec2 pixel = glm::min(glm::ivec2(uv * glm::dvec2(map.size)), map.size - 1);
-        return glm::dvec3(map.at(pixel.x, pixel.y)) * environment.intensity;
-    };
-    return hemisphereMeans(cells, radiance, angle);
-}
-
-std::array<glm::vec3, 6> ambientOfGradient(const Environment& environment) {
-    const auto radiance = [&](const glm::dvec2&, const glm::dvec3& direction) {
-        return f64::gradientRadiance(direction, environment.gradient[0], environment.gradient[1]) * environment.intensity;
-    };
-    return hemisphereMeans(kGradientCells, radiance, 0.0);
 }
 
 gpu::Texture2D mapTexture(const gpu::Context& context, const Image& map) {
@@ -69,8 +47,7 @@ EnvironmentLight::EnvironmentLight(const gpu::Context& context, const Environmen
                                    bool ambient)
     : environment_(environment) {
     if (map) map_.emplace(mapTexture(context, *map));
-    if (!ambient) return;
-    ambient_ = map ? ambientOfMap(*map, environment, glm::radians(environment.rotate)) : ambientOfGradient(environment);
+    if (ambient) ambient_ = hemisphereMeans(EnvironmentCells(environment, map, kAmbientRows));
 }
 
 void EnvironmentLight::configure(gpu::ViewBlock& view) const {

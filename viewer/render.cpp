@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/accuracy.h"
+#include "common/environment_map.h"
 #include "common/gpu_fields.h"
 #include "common/image_io.h"
 #include "viewer/accumulate.h"
@@ -29,11 +30,6 @@ constexpr std::array kChannelNames = {"R",       "G",       "B",       "exit.X",
                                       "throughput.G", "throughput.B", "steps", "Z",    "optical_length"};
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::optional<Image> environmentImage(const Scene& scene, const EffectSet& effects) {
-    if (!scene.environment.image || !effects.has(Effect::kEnvironment)) return std::nullopt;
-    return readImage(scene.folder / *scene.environment.image);
-}
 
 template <class Row>
 void append(std::vector<Row>& rows, const std::vector<Row>& more) {
@@ -164,7 +160,7 @@ RenderResult renderScene(const gpu::Context& context, const Scene& scene, const 
     const auto start = Clock::now();
     const auto tiles = viewer::tilesOf(scene.render.size, options.tileRays);
     const std::size_t capacity = tiles.empty() ? 0 : tiles.front().pixels();
-    const auto map = environmentImage(scene, effects);
+    const auto map = effects.has(Effect::kEnvironment) ? environmentImage(scene) : std::nullopt;
     Pipeline pipeline(context, scene, fields, effects, bake, map ? &*map : nullptr, options, capacity);
     configure(pipeline, scene, fields, options);
     RenderResult result = blankResult(scene.render.size);

@@ -1,4 +1,4 @@
-// The power that a frame launches.
+// The power that a frame launches where its profile is 1: corners carry their own share of it.
 
 // Power per unit of launch coordinates' area, over the frame's strength. A beam: area; a point light: solid angle,
 // D dA / r^3 with D the distance of the launch plane.

@@ -7,6 +7,17 @@
 #include "physics/fresnel.glsl"
 #include "physics/boundary.glsl"
 #include "physics/attenuation.glsl"
+#include "physics/profile.glsl"
+
+float launchShareOf(LaunchFrame frame, vec3 direction) {
+    if (frame.profile == PROFILE_CONE) {
+        return coneShare(direction, frame.profileAxis, frame.coneInner, frame.coneOuter);
+    }
+    if (frame.profile == PROFILE_COSINE) {
+        return cosineShare(direction, frame.profileAxis);
+    }
+    return 1.0;
+}
 
 Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     Particle particle;
@@ -32,7 +43,8 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     particle.throughputS = 1.0;
     particle.throughputP = 1.0;
     particle.transmittance = vec3(1.0);
-    particle.meanShare = vec3(1.0);
+    particle.launchShare = launchShareOf(frame, direction);
+    particle.meanShare = vec3(particle.launchShare);
     particle.enteredShare = 0.0;
     particle.normal = vec3(0.0);
     particle.gradMax = 0.0;
@@ -45,7 +57,6 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     particle.reflectedShare = vec3(0.0);
     particle.arcLength = 0.0;
     particle.unusedA = 0.0;
-    particle.unusedB = 0.0;
     return particle;
 }
 
@@ -55,7 +66,7 @@ Particle enterDomain(Particle particle, vec3 entry) {
     inside.x = entry;
     inside.w = particle.w * n;
     inside.status = PARTICLE_INSIDE;
-    inside.enteredShare = 1.0;
+    inside.enteredShare = particle.launchShare;
     inside.nLast = n;
     return inside;
 }
@@ -111,8 +122,8 @@ Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN)
         Polarised transmittance = crossingTransmittance(crossing, w, crossingEndIndex(crossing, inBand, n));
         after.throughputS = particle.throughputS * transmittance.s;
         after.throughputP = particle.throughputP * transmittance.p;
-        after.reflectedShare =
-            particle.reflectedShare + particle.transmittance * (throughputOf(particle) - throughputOf(after));
+        after.reflectedShare = particle.reflectedShare + particle.launchShare * particle.transmittance *
+                                                             (throughputOf(particle) - throughputOf(after));
     }
     crossing = crossingAfter(crossing, inBand, w, n, gradN);
     after.normal = crossing.normal;

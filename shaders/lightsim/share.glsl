@@ -1,4 +1,4 @@
-// What is left of the power launched along a particle. Compiles as C++ too.
+// What is left of the power launched along a particle, as a share of its frame's strength. Compiles as C++ too.
 
 float throughputOf(Particle particle) {
     return 0.5 * (particle.throughputS + particle.throughputP);
@@ -6,5 +6,5 @@ float throughputOf(Particle particle) {
 
 // By band.
 vec3 remainingShare(Particle particle) {
-    return particle.transmittance * throughputOf(particle);
+    return particle.launchShare * particle.transmittance * throughputOf(particle);
 }

@@ -34,6 +34,11 @@ using glm::vec3;
 #define PARTICLE_BLOCKED 3u  // hit opaque matter
 #define PARTICLE_MISSED 4u   // never meets the domain
 
+// Angular profiles of launch frames (physics/profile.glsl).
+#define PROFILE_NONE 0u
+#define PROFILE_CONE 1u
+#define PROFILE_COSINE 2u
+
 // Rows of the energy ledger; each holds three bands.
 #define LEDGER_ENTERED 0
 #define LEDGER_ABSORBED 1
@@ -61,13 +66,20 @@ struct LaunchFrame {
     uint cellsU;       // cells of the launch grid along u
     vec3 b;
     uint cellsV;
-    vec3 strength;     // point: power per steradian; beam: power per unit area
+    vec3 strength;     // point: power per steradian where its profile is 1; beam: power per unit area
     float splitPower;  // patches with less remaining power are not split
     vec3 axis;         // point: centre - origin
     uint firstCell;    // number of the frame's first cell among all frames'
+    vec3 profileAxis;  // unit
+    uint profile;      // PROFILE_...
+    float coneInner;   // versine of the angle to the axis up to which the profile of a cone is 1
+    float coneOuter;   // versine of the angle from which it is 0
+    float unusedA;
+    float unusedB;
 };
 
-// A corner of a patch: an exact ray from its launch coordinate. Shares are fractions of the power launched along it.
+// A corner of a patch: an exact ray from its launch coordinate. Shares are fractions of the frame's strength: of the power
+// that would be launched along it if its profile were 1.
 struct Particle {
     vec3 x;
     float enterPath;      // optical path at which it enters the domain
@@ -78,7 +90,7 @@ struct Particle {
     vec3 transmittance;   // of the medium so far
     float throughputP;
     vec3 meanShare;       // mean of transmittance x throughput over the last step
-    float enteredShare;   // 1 once it has entered
+    float enteredShare;   // launchShare once it has entered
     vec3 normal;          // Crossing
     float gradMax;
     float nStart;
@@ -88,9 +100,9 @@ struct Particle {
     vec3 absorbedShare;
     float arcLength;      // of the last step
     vec3 scatteredShare;
-    float unusedA;
+    float launchShare;    // the profile along it, 0 to 1
     vec3 reflectedShare;
-    float unusedB;
+    float unusedA;
 };
 
 // A piece of a wavefront: corners in the order (u0, v0), (u1, v0), (u1, v1), (u0, v1) of its launch rectangle.
@@ -98,7 +110,7 @@ struct WavefrontPatch {
     Particle corners[4];
     vec2 launchMin;
     vec2 launchMax;
-    vec3 power;           // launched into the rectangle
+    vec3 power;           // launched into the rectangle if the profile is 1 all over it
     uint frameIndex;
     uint stepCount;       // steps since launch: t = stepCount * opticalStep
     uint orientation;     // 0 unknown, 1 along, 2 against the direction of travel
@@ -183,7 +195,8 @@ struct PeakPass {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(LaunchFrame) == 96 && offsetof(LaunchFrame, strength) == 64);
+static_assert(sizeof(LaunchFrame) == 128 && offsetof(LaunchFrame, strength) == 64);
+static_assert(offsetof(LaunchFrame, profileAxis) == 96);
 static_assert(sizeof(Particle) == 160 && offsetof(Particle, nStart) == 96);
 static_assert(sizeof(WavefrontPatch) == 688 && offsetof(WavefrontPatch, power) == 656);
 static_assert(sizeof(LaunchRecord) == 32);

@@ -64,7 +64,9 @@ TEST(Effects, LightIsSimulatedOnlyWhereItShows) {
     EXPECT_FALSE(decide("[[light]]\n[[object]]\n").wantsLight());                // nothing shows it
     EXPECT_TRUE(decide("[[light]]\n[medium]\nscattering = 1\n").wantsLight());
     EXPECT_TRUE(decide("[[light]]\n[[object]]\nopaque = true\n").wantsLight());
-    EXPECT_TRUE(decide("[environment]\nbake = true\n[medium]\nscattering = 1\n").wantsLight());
+    const std::string underSky = "[environment]\nbake = true\n[medium]\nscattering = 1\n";
+    EXPECT_TRUE(decide(underSky).wantsLight());
+    EXPECT_FALSE(decide(underSky + "[render]\neffects = [\"scattering\"]\n").wantsLight());  // the sky is left out
 }
 
 TEST(Effects, TheSceneMayLeaveEffectsOut) {
@@ -87,6 +89,10 @@ TEST(SceneSummary, CountsBytesOfWhatIsOn) {
     EXPECT_EQ(summary["cost"]["image_rays"], 400);
     EXPECT_EQ(summary["cost"]["image_steps"], 4000);
     EXPECT_EQ(summary["cost"]["bake_patch_steps"], 1000);
+    const Scene many = sceneOf("[domain]\nresolution = 10\n[[light]]\n[[light]]\ntype = \"rectangle\"\nsamples = 4\n"
+                               "[medium]\nscattering = 1\n[environment]\nbake = true\nlights = 8\n");
+    // one beam and eight of the sky at a patch for each voxel, four points at three faces for each layer
+    EXPECT_EQ(sceneSummary(many, composeFields(many))["cost"]["bake_patch_steps"], 9 * 1000 + 4 * 3 * 1000);
     for (const auto& row : summary["effects"])
         EXPECT_EQ(row["bytes"].get<int>(), row["name"] == "scattering" ? 16000 : 0) << row;
 }

@@ -27,7 +27,8 @@ TEST(SceneHash, CameraAndFilmDoNotMatter) {
 TEST(SceneHash, WhatTheBakeDependsOnDoes) {
     const std::string hash = hashWith({});
     for (const char* override : {"domain.resolution=11", "object.0.ior=1.4", "medium.absorption=0.1",
-                                 "light.0.irradiance=[2, 1, 1]", "accuracy.tolerance=0.01",
+                                 "light.0.irradiance=[2, 1, 1]",
+                                 "light.0.keyframe=[{ frame = 1, direction = [0, 1, 0] }]", "accuracy.tolerance=0.01",
                                  "render.effects=[\"refraction\"]", "environment.bake=true"})
         EXPECT_NE(hash, hashWith({override})) << override;
 }

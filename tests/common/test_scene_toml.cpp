@@ -173,11 +173,6 @@ TEST(SceneToml, FilesThatAreMissingAreErrorsAtTheirPosition) {
     EXPECT_TRUE(contains(messageOf([] { loadScene("."); }), "found a folder"));
 }
 
-TEST(SceneToml, LightsOfLaterKindsNameWhatIsSupported) {
-    const std::string message = errorOf("[[light]]\ntype = \"spot\"\n");
-    EXPECT_TRUE(contains(message, "'spot' are not supported yet, expected 'directional' or 'point'")) << message;
-}
-
 TEST(SceneToml, OverridesReachEveryValue) {
     const std::string text = "[[object]]\nname = \"ball\"\n[[light]]\n";
     const Scene scene = sceneOf(text, {"domain.resolution=64", "object.0.radius=0.25", "object.ball.ior=1.4",

@@ -38,8 +38,8 @@ test::Members particleMembers() {
         EIKONAL_MEMBER(bake::Particle, nLast), EIKONAL_MEMBER(bake::Particle, wTangential),
         EIKONAL_MEMBER(bake::Particle, sideAtStart), EIKONAL_MEMBER(bake::Particle, absorbedShare),
         EIKONAL_MEMBER(bake::Particle, arcLength), EIKONAL_MEMBER(bake::Particle, scatteredShare),
-        EIKONAL_MEMBER(bake::Particle, unusedA), EIKONAL_MEMBER(bake::Particle, reflectedShare),
-        EIKONAL_MEMBER(bake::Particle, unusedB)
+        EIKONAL_MEMBER(bake::Particle, launchShare), EIKONAL_MEMBER(bake::Particle, reflectedShare),
+        EIKONAL_MEMBER(bake::Particle, unusedA)
     };
 }
 
@@ -64,7 +64,10 @@ test::Members launchFrameMembers() {
         EIKONAL_MEMBER(bake::LaunchFrame, a), EIKONAL_MEMBER(bake::LaunchFrame, cellsU),
         EIKONAL_MEMBER(bake::LaunchFrame, b), EIKONAL_MEMBER(bake::LaunchFrame, cellsV),
         EIKONAL_MEMBER(bake::LaunchFrame, strength), EIKONAL_MEMBER(bake::LaunchFrame, splitPower),
-        EIKONAL_MEMBER(bake::LaunchFrame, axis), EIKONAL_MEMBER(bake::LaunchFrame, firstCell)
+        EIKONAL_MEMBER(bake::LaunchFrame, axis), EIKONAL_MEMBER(bake::LaunchFrame, firstCell),
+        EIKONAL_MEMBER(bake::LaunchFrame, profileAxis), EIKONAL_MEMBER(bake::LaunchFrame, profile),
+        EIKONAL_MEMBER(bake::LaunchFrame, coneInner), EIKONAL_MEMBER(bake::LaunchFrame, coneOuter),
+        EIKONAL_MEMBER(bake::LaunchFrame, unusedA), EIKONAL_MEMBER(bake::LaunchFrame, unusedB)
     };
 }
 

@@ -48,8 +48,10 @@ const Scene kBeam = test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3
 
 /// The surface that the scene's only beam is launched from.
 bake::LaunchFrame launchFrameOf(const Scene& scene, const Fields& fields) {
-    const bake::Criteria criteria = bake::criteriaOf(scene.accuracy, fields);
-    return bake::launchGrids(scene.lights, fields.lattice, criteria.maxSide, criteria.splitShare).frames.front();
+    Accuracy accuracy = scene.accuracy;
+    accuracy.deposit = Deposit::kSplat;  // what fronts are made of
+    const bake::Criteria criteria = bake::criteriaOf(accuracy, fields);
+    return bake::launchGrids({scene.lights, {}}, fields.lattice, criteria.maxSide, criteria.splitShare).frames.front();
 }
 
 glm::dvec3 launchedAt(const bake::LaunchFrame& frame, const glm::vec2& launch) {
