@@ -95,18 +95,19 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
     return settings;
 }
 
-TubeSettings tubeSettingsOf(const Accuracy& accuracy, const LaunchGrids& grids, const Fields& fields) {
+TubeSettings tubeSettingsOf(const Accuracy& accuracy, const Fields& fields) {
     const double voxel = fields.lattice.voxel;
     const double refinement = std::sqrt(accuracy.tolerance / kDefaultTolerance);
     TubeSettings settings{};
-    settings.maxDeviation = float(0.2 * refinement * voxel);
+    settings.maxDeviation = float(0.15 * refinement * voxel);
     settings.maxShareDeviation = float(0.05 * refinement);
     settings.resolvedSide = float(0.5 * voxel);
-    settings.maxUnevenness = 0.2f;
-    settings.samplesPerVoxel = accuracy.tolerance < 0.5 * kDefaultTolerance ? 3u : 2u;
-    const glm::ivec3 size = fields.lattice.size;
-    const double longest = std::max({size.x, size.y, size.z});
-    settings.pointPower = float(0.05 * accuracy.tolerance * grids.strongestPower / (longest * longest));
+    settings.maxUnevenness = float(0.2 * refinement);
+    // Their error falls with their number: 2 along each axis at the default, 3 at half of it, 4 at a quarter.
+    settings.samplesPerVoxel = std::uint32_t(std::clamp(std::lround(2.0 - std::log2(refinement * refinement)), 1l, 4l));
+    // Parabolas through three rays misjudge a cubic map by 4/3 of it along each of two directions.
+    settings.maxUnevenSpread = float(0.375 * accuracy.tolerance);
+    settings.evenSide = float(1.5 * voxel);
     settings.nearMargin = float(kTubeCellVoxels * voxel);
     return settings;
 }

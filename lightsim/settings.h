@@ -28,7 +28,7 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
                         const BakeOptions& options);
 
 /// What the tolerance means for ray tubes.
-TubeSettings tubeSettingsOf(const Accuracy& accuracy, const LaunchGrids& grids, const Fields& fields);
+TubeSettings tubeSettingsOf(const Accuracy& accuracy, const Fields& fields);
 
 /// 1 when every light is of one colour and every optical constant is grey, else 3.
 int bandsOf(const LightSet& lights, const Fields& fields, const EffectSet& effects);

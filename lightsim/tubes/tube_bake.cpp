@@ -10,9 +10,9 @@ namespace eikonal::bake {
 
 namespace {
 
-constexpr std::uint32_t kFirstBatch = 64;   // cells; later ones follow what these needed
+constexpr std::uint32_t kFirstBatch = 16;   // cells; later ones follow what these needed
 constexpr std::uint32_t kMostCells = 4096;  // in a batch
-constexpr double kFilling = 0.6;            // of the capacity that a batch is meant to need
+constexpr double kFilling = 0.35;           // of the capacity that a batch is meant to need
 
 } // namespace
 
@@ -27,7 +27,7 @@ TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, std::uin
 void TubeBake::setLights(const gpu::Context& context, const LaunchGrids& grids, const BakeSettings& settings) {
     grids_ = &grids;
     settings_ = settings;
-    kernels_.setLights(context, grids, tubeSettingsOf(accuracy_, grids, fields_));
+    kernels_.setLights(context, grids, tubeSettingsOf(accuracy_, fields_));
 }
 
 /// The method: propagate, refine, conform, deposit, until no light is left. False: the batch needs more rays than there is

@@ -22,7 +22,7 @@ std::uint32_t frameOfCell(const LaunchGrids& grids, std::uint32_t cell) {
 } // namespace
 
 TubeBatch::TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, const CellRange& cells, std::uint32_t capacity)
-    : kernels_(kernels), grids_(grids), capacity_(capacity), rootCount_(cells.cellCount) {
+    : kernels_(kernels), grids_(grids), capacity_(capacity), rootCount_(cells.cellCount), isDone_(cells.cellCount, 0) {
     for (std::uint32_t cell = cells.firstCell; cell < cells.firstCell + cells.cellCount; ++cell) {
         const std::uint32_t frame = frameOfCell(grids, cell);
         mesh_.addCell(frame, grids.frames[frame], cell - grids.frames[frame].firstCell);
@@ -43,7 +43,9 @@ void TubeBatch::begin(std::uint32_t window) {
     hasEnded_.resize(mesh_.vertices.size(), 0);
     if (window > 0) {
         for (std::uint32_t root = 0; root < rootCount_; ++root) {
-            markAlive(root);
+            if (isDone_[root] == 0) {
+                markAlive(root);
+            }
         }
     }
     placeNew();
@@ -303,20 +305,38 @@ std::vector<glm::dvec4> TubeBatch::vertexPowers() const {
     return powers;
 }
 
+/// Cell by cell, so that what else is in the batch makes no difference.
 bool TubeBatch::isFinished(double share) {
-    const std::vector<glm::dvec4> powers = vertexPowers();
-    double left = 0.0, all = 0.0;
-    bool ended = true;
-    for (std::uint32_t i = 0; i < powers.size(); ++i) {
-        const double power = std::max({powers[i].x, powers[i].y, powers[i].z});
-        all += power;
-        if (isActive_[i] != 0 && mesh_.vertices[i].isRay) {
-            hasEnded_[i] = presences_[i].ended != 0;
-            left += power * presences_[i].remaining;
-            ended = ended && hasEnded_[i] != 0;
+    std::vector<double> remaining(mesh_.vertices.size());
+    for (std::uint32_t i = 0; i < remaining.size(); ++i) {  // parents have lower numbers
+        const MeshVertex& vertex = mesh_.vertices[i];
+        if (vertex.isRay) {
+            remaining[i] = isActive_[i] != 0 ? presences_[i].remaining : 0.0;
+            hasEnded_[i] = isActive_[i] != 0 ? presences_[i].ended != 0 : hasEnded_[i];
+        } else {
+            remaining[i] = 0.5 * (remaining[vertex.parents[0]] + remaining[vertex.parents[1]]);
         }
     }
-    return ended || left < share * all;
+    std::vector<glm::dvec2> powers(rootCount_, glm::dvec2(0.0));  // left, launched
+    for (std::uint32_t index = 0; index < mesh_.nodes.size(); ++index) {
+        const MeshNode& node = mesh_.nodes[index];
+        if (node.isLeaf()) {
+            std::uint32_t vertices[9];
+            mesh_.verticesOf(index, vertices);
+            for (int quarter = 0; quarter < 4; ++quarter) {
+                const int low = quarter % 2 + 3 * (quarter / 2);
+                for (const int corner : {low, low + 1, low + 3, low + 4}) {
+                    powers[node.root] += node.launchShare[quarter] * glm::dvec2(remaining[vertices[corner]], 1.0);
+                }
+            }
+        }
+    }
+    bool finished = true;
+    for (std::uint32_t root = 0; root < rootCount_; ++root) {
+        isDone_[root] = isDone_[root] != 0 || powers[root].x <= share * powers[root].y;
+        finished = finished && isDone_[root] != 0;
+    }
+    return finished;
 }
 
 void TubeBatch::tally() {

@@ -27,7 +27,7 @@ public:
     bool refine();
     void conform();                    ///< closes gaps between nodes of different size
     std::uint64_t deposit(const LightSums& sums);  ///< returns the number of patch-steps
-    /// Whether less than this share of the power launched is left in the domain.
+    /// Ends the cells that have less than this share of their power left in the domain. True: all have ended.
     bool isFinished(double share);
     void tally();
 
@@ -55,6 +55,7 @@ private:
     std::uint32_t placedVertices_ = 0, placedNodes_ = 0;
     std::vector<std::uint8_t> isActive_;  ///< vertices that have a track in this window
     std::vector<std::uint8_t> hasEnded_;  ///< vertices
+    std::vector<std::uint8_t> isDone_;    ///< roots
     std::vector<std::uint8_t> isAlive_;   ///< nodes
     std::vector<TubePresence> presences_;
     std::vector<Samples> bends_;          ///< steps at which a vertex does not go straight on

@@ -44,7 +44,7 @@ struct TubePresence {
     uvec2 near;       // steps that begin or end near the domain
     uvec2 bent;       // steps that are not straight, or along which the share changes
     uint ended;       // 1: nothing of it will be near the domain any more
-    float remaining;  // largest share of its power that is still inside the domain at the end of the window
+    float remaining;  // largest share of its power that is not yet past the domain at the end of the window
     uint unusedA;
     uint unusedB;
 };
@@ -96,8 +96,9 @@ struct TubeJob {
 struct TubeCell {
     vec4 corners[8];  // position from the domain's lower corner [voxels]; w of the later four: arc length between [voxels]
     vec4 shares[8];   // share of the launched power that is left at the corners, by band
+    vec4 volumes[2];  // at the corners: root of the volume per u, v and t over the relative power there [voxels^(3/2)]
     vec3 power;       // launched into the sub-cell, by band
-    uint unused;
+    float pointPower; // power x length that need not be split into more points [x voxels]
 };
 
 // Lists of the parts of cells that are deposited alike, TUBE_LIST_PARTS entries each; they follow in the block.
@@ -138,16 +139,16 @@ struct TubeSettings {
     float maxUnevenness;   // change of irradiance between two samples that a gather may have, in logarithm
     uint samplesPerVoxel;  // along each axis
     float nearMargin;      // how far from the domain counts as near [scene units]
-    float pointPower;      // power x length that need not be split into more points, over the strongest band [x voxels]
-    uint unusedA;
-    uint unusedB;
-    uint unusedC;
+    float maxUnevenSpread; // of a middle from its neighbours' mean along the line between them, over their distance
+    float evenSide;        // shorter edges may be uneven [scene units]
+    float unusedA;
+    float unusedB;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(TubeVertex) == 176 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
-static_assert(sizeof(TubeCell) == 272 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 64 && sizeof(TubeSettings) == 48);
+static_assert(sizeof(TubeCell) == 304 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 64 && sizeof(TubeSettings) == 48);
 } // namespace eikonal::bake
 #endif

@@ -35,6 +35,14 @@ CornerLight cornerLightOf(uint cell) {
     return light;
 }
 
+// Volume of the cell per u, v and t at a place of it, over the relative power there [voxels^3]. Its root is linear along
+// straight rays of a spherical front.
+float volumeAt(uint cell, vec3 at) {
+    vec4 roots = mix(cells[cell].volumes[0], cells[cell].volumes[1], at.z);
+    float root = mix(mix(roots.x, roots.y, at.x), mix(roots.z, roots.w, at.x), at.y);
+    return root * root;
+}
+
 vec3 bilinear(vec3 a, vec3 b, vec3 c, vec3 d, vec2 at) {
     return mix(mix(a, b, at.x), mix(c, d, at.x), at.y);
 }

@@ -38,7 +38,6 @@ struct Light {
 Light gathered(Part part, CornerLight corners, Trilinear map, mat3 inverseMiddle, vec3 middle, ivec3 voxel) {
     Light light = Light(vec3(0.0), vec3(0.0));
     int n = int(tube.samplesPerVoxel);
-    float cutArea = 1.0 / float(part.cuts.x * part.cuts.y * part.cuts.z * n * n * n);
     for (int i = 0; i < n * n * n; ++i) {
         vec3 x = vec3(voxel) + (vec3(ivec3(i % n, i / n % n, i / (n * n))) + 0.5) / float(n);
         vec3 guess = inverseMiddle * (x - middle);
@@ -47,10 +46,10 @@ Light gathered(Part part, CornerLight corners, Trilinear map, mat3 inverseMiddle
         }
         vec3 q = invertedIn(map, x, guess + 0.5);
         if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0)))) {
-            mat3 d = derivativesIn(map, q);
-            vec3 powerLength = powerLengthAt(corners, placeInCell(part, q)) * (cutArea / abs(determinant(d)));
+            vec3 place = placeInCell(part, q);
+            vec3 powerLength = powerLengthAt(corners, place) / (volumeAt(part.cell, place) * float(n * n * n));
             light.powerLength += powerLength;
-            light.flux += fluxOf(powerLength, unitOf(d[2]));
+            light.flux += fluxOf(powerLength, unitOf(derivativesIn(map, q)[2]));
         }
     }
     return light;

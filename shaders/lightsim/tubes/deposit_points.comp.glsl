@@ -7,9 +7,9 @@ const float kPointsPerVoxel = 4.0;  // along each axis
 const int kMostPoints = 12;         // along each axis of a part
 
 // Points a quarter of a voxel apart, or fewer if they carry less than matters.
-ivec3 pointsFor(vec3 extents, float powerLength) {
+ivec3 pointsFor(vec3 extents, float powerLength, float pointPower) {
     vec3 wanted = clamp(extents * kPointsPerVoxel, vec3(1.0), vec3(float(kMostPoints)));
-    float enough = powerLength / (tube.pointPower * settings.depositScale);
+    float enough = powerLength / max(pointPower * settings.depositScale, 1.0e-30);
     wanted *= min(1.0, pow(max(enough, 1.0e-6) / (wanted.x * wanted.y * wanted.z), 1.0 / 3.0));
     return max(ivec3(ceil(wanted)), ivec3(1));
 }
@@ -25,7 +25,8 @@ void main() {
                         length(d[2]));
     CornerLight corners = cornerLightOf(part.cell);
     float cut = 1.0 / float(part.cuts.x * part.cuts.y * part.cuts.z);
-    ivec3 counts = pointsFor(extents, largestOf(powerLengthAt(corners, placeInCell(part, vec3(0.5)))) * cut);
+    ivec3 counts = pointsFor(extents, largestOf(powerLengthAt(corners, placeInCell(part, vec3(0.5)))) * cut,
+                              cells[part.cell].pointPower);
     float portion = cut / float(counts.x * counts.y * counts.z);
     ivec3 current = ivec3(-1);
     vec3 powerLength = vec3(0.0);

@@ -9,15 +9,25 @@ layout(std430, binding = TUBE_FRAMES_BINDING) readonly buffer FrameBlock { Launc
 struct Expectation {
     vec3 position;
     vec3 share;
-    float extent;  // distance between the neighbours [scene units]
+    vec3 along;       // from one neighbour to the other [scene units]; 0: no matter
+    float evenShift;  // of the middle along it if irradiance is the same on both sides, over its length
+    float extent;     // distance between the neighbours [scene units]
 };
+
+// Whether rays are spread unevenly between two neighbours: that is by how much irradiance changes between them. It does not
+// matter within a voxel, and a front that is curved alike everywhere is even.
+bool isUneven(vec3 deviation, Expectation expected) {
+    float extent2 = dot(expected.along, expected.along);
+    return extent2 > tube.evenSide * tube.evenSide && abs(dot(deviation, expected.along) - expected.evenShift * extent2) > tube.maxUnevenSpread * extent2;
+}
 
 // Adds what sample k of a middle's track says; `power`: the power about it, by band, before losses.
 void measureSample(uint middle, int k, Expectation expected, vec3 power, inout TubeMeasure measure) {
     uint place = trackOf(middle) + uint(k);
     vec3 share = shares[place].rgb;
     vec3 larger = max(share, expected.share);
-    bool bent = distance(positions[place].xyz, expected.position) > tube.maxDeviation;
+    vec3 deviation = positions[place].xyz - expected.position;
+    bool bent = length(deviation) > tube.maxDeviation || isUneven(deviation, expected);
     bool uneven = largestOf(abs(share - expected.share)) > tube.maxShareDeviation * largestOf(larger) &&
                   expected.extent > tube.resolvedSide;
     if (bent || uneven) {

@@ -15,6 +15,11 @@ void main() {
     LaunchFrame frame = frames[vertices[edge.middle].frameIndex];
     float side = largestOf(abs(vec3(vertices[edge.second].launch - vertices[edge.first].launch, 0.0)));
     vec3 power = frame.strength * (launchDensity(frame, vertices[edge.middle].launch) * side * side);
+    // On the plane of a point light's frame rays lie further apart, by the square of the cosine in one direction, where power
+    // is thinner by its cube; between the quarters of the edge.
+    float spacing = pow(launchDensity(frame, vertices[edge.first].launch) / launchDensity(frame, vertices[edge.second].launch),
+                        1.0 / 3.0);
+    float evenShift = 0.5 * (spacing - 1.0) / (spacing + 1.0);
     TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(0u), vec4(0.0));
     for (int k = 0; k < TUBE_SAMPLES; ++k) {
         uint first = trackOf(edge.first) + uint(k);
@@ -23,7 +28,8 @@ void main() {
         vec3 b = positions[second].xyz;
         if (withinDomain(a, domainVoxel) || withinDomain(b, domainVoxel) ||
             withinDomain(positions[trackOf(edge.middle) + uint(k)].xyz, domainVoxel)) {
-            Expectation expected = Expectation(0.5 * (a + b), 0.5 * (shares[first].rgb + shares[second].rgb), distance(a, b));
+            Expectation expected = Expectation(0.5 * (a + b), 0.5 * (shares[first].rgb + shares[second].rgb),
+                                               b - a, evenShift, distance(a, b));
             measureSample(edge.middle, k, expected, power, measure);
         }
     }

@@ -21,7 +21,7 @@ vec4 launchSharesOf(TubeNode node, LaunchFrame frame) {
 
 // Half the sum of the sides' middles less a quarter of the corners'.
 Expectation expectedCentre(TubeNode node, int k) {
-    Expectation expected = Expectation(vec3(0.0), vec3(0.0), 0.0);
+    Expectation expected = Expectation(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
     for (uint i = 0u; i < 9u; ++i) {
         if (i != kCentre) {
             float weight = i % 2u == 1u ? 0.5 : -0.25;

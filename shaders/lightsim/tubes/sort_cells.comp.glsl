@@ -6,10 +6,10 @@
 #include "lightsim/tubes/tubes.glsl"
 #include "lightsim/tubes/tracks.glsl"
 #include "lightsim/tubes/cell.glsl"
+#include "lightsim/tubes/volumes.glsl"
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
 
-layout(std430, binding = TUBE_FRAMES_BINDING) readonly buffer FrameBlock { LaunchFrame frames[]; };
 layout(std430, binding = TUBE_ITEMS_BINDING) readonly buffer ItemBlock { TubeJob jobs[]; };
 layout(std430, binding = TUBE_SORT_RECORDS_BINDING) writeonly buffer RecordBlock { TubeCell cells[]; };
 layout(std430, binding = TUBE_NODES_BINDING) readonly buffer NodeBlock { TubeNode nodes[]; };
@@ -20,9 +20,10 @@ layout(std430, binding = TUBE_SORT_PARTS_BINDING) buffer PartBlock {
 
 const float kLongestPart = 3.0;   // [voxels]: bounds the voxels that a gather looks at
 const float kLongestPoints = 1.0;   // [voxels]: parts that are splatted are cut to that
+const float kPointShare = 5.0e-3;     // of the power that is not worth another ray
 const float kFolded = 1.0e9;          // unevenness where the map turns inside out
 const int kMostLogCuts = 3;         // along each axis
-const float kLongestCell = 24.0;    // [voxels]: beyond that there may be anything between the corners
+const float kLongestCell = 12.0;    // [voxels]: beyond that there may be anything between the corners
 // Of the volume that a sample stands for: parts smaller than that are points, whatever their irradiance does, so that no
 // sample can be worth many times what its part carries.
 const float kLeastVolume = 1.0 / 64.0;
@@ -44,8 +45,9 @@ TubeCell cellOf(TubeJob job, uint quarter) {
         cell.shares[i] = shares[track + first];
         cell.shares[i + 4u] = shares[track + last];
     }
+    cell.volumes = volumesOf(node, cell, quarter, first, last);
     cell.power = frames[node.frameIndex].strength * node.launchShare[quarter];
-    cell.unused = 0u;
+    cell.pointPower = kPointShare * frames[node.frameIndex].splitPower;
     return cell;
 }
 
