@@ -95,7 +95,8 @@ BakeResult LightSimulator::bake(const LightSet& lights) {
         result.statistics.seconds.upload = secondsSince(start);
         device.bakeSlabs(fields_, options_, result);
         bake::readLedger(device.method->ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
-        bake::integrateDeposits(fields_, result.light, result.statistics.energy);
+        bake::integrateDeposits(fields_, bake::usesPatches(accuracy_) ? bake::VoxelMean::kHat : bake::VoxelMean::kCube, result.light,
+                                result.statistics.energy);
     }
     context_.throwIfError();
     result.statistics.seconds.total = secondsSince(start);

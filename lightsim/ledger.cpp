@@ -45,18 +45,62 @@ void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger) {
     ledger.culled = row(LEDGER_CULLED);
 }
 
-void integrateDeposits(const Fields& fields, const BakedLight& light, EnergyLedger& ledger) {
-    const double volume = light.lattice.voxel * light.lattice.voxel * light.lattice.voxel;
-    for (std::size_t i = 0; i < light.irradiance.values.size(); ++i) {
-        const double freeShare = fields.opaque.empty() ? 1.0 : 1.0 - fields.opaque.values[i];
-        const glm::dvec3 energy = glm::dvec3(light.irradiance.values[i]) * (volume * freeShare);
-        if (!fields.sigmaA.empty()) {
-            ledger.depositedAbsorbed += glm::dvec3(fields.sigmaA.values[i]) * energy;
-        }
-        if (!fields.sigmaS.empty()) {
-            ledger.depositedScattered += glm::dvec3(fields.sigmaS.values[i]) * energy;
+namespace {
+
+/// Values of a grid about a voxel, clamped at the faces.
+template <class Value>
+glm::dvec3 valueNear(const DenseGrid<Value>& grid, const glm::ivec3& voxel, const glm::ivec3& offset) {
+    return glm::dvec3(grid.at(glm::clamp(voxel + offset, glm::ivec3(0), grid.size - 1)));
+}
+
+/// Mean of the trilinear interpolant over the cube of a voxel.
+glm::dvec3 cubeMean(const DenseGrid<glm::vec3>& grid, const glm::ivec3& voxel) {
+    constexpr double kWeights[3] = {0.125, 0.75, 0.125};
+    glm::dvec3 mean(0.0);
+    for (int i = 0; i < 27; ++i) {
+        const glm::ivec3 at(i % 3, i / 3 % 3, i / 9);
+        mean += kWeights[at.x] * kWeights[at.y] * kWeights[at.z] * valueNear(grid, voxel, at - 1);
+    }
+    return mean;
+}
+
+/// Mean of the product over the cube of a voxel.
+glm::dvec3 meanProduct(const DenseGrid<glm::vec3>& sigma, const DenseGrid<glm::vec3>& irradiance, const glm::ivec3& voxel) {
+    glm::dvec3 product = cubeMean(sigma, voxel) * glm::dvec3(irradiance.at(voxel));
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::ivec3 next(0);
+        next[axis] = 1;
+        const glm::dvec3 slopes = (valueNear(sigma, voxel, next) - valueNear(sigma, voxel, -next)) *
+                                  (valueNear(irradiance, voxel, next) - valueNear(irradiance, voxel, -next));
+        product += slopes / (4.0 * 12.0);
+    }
+    return product;
+}
+
+glm::dvec3 integral(const DenseGrid<glm::vec3>& sigma, const Fields& fields, VoxelMean mean, const BakedLight& light) {
+    glm::dvec3 sum(0.0);
+    if (sigma.empty()) {
+        return sum;
+    }
+    for (int k = 0; k < sigma.size.z; ++k) {
+        for (int j = 0; j < sigma.size.y; ++j) {
+            for (int i = 0; i < sigma.size.x; ++i) {
+                const glm::ivec3 voxel(i, j, k);
+                const double freeShare = fields.opaque.empty() ? 1.0 : 1.0 - fields.opaque.at(voxel);
+                sum += freeShare * (mean == VoxelMean::kCube
+                                        ? meanProduct(sigma, light.irradiance, voxel)
+                                        : glm::dvec3(sigma.at(voxel)) * glm::dvec3(light.irradiance.at(voxel)));
+            }
         }
     }
+    return sum * (light.lattice.voxel * light.lattice.voxel * light.lattice.voxel);
+}
+
+} // namespace
+
+void integrateDeposits(const Fields& fields, VoxelMean mean, const BakedLight& light, EnergyLedger& ledger) {
+    ledger.depositedAbsorbed = integral(fields.sigmaA, fields, mean, light);
+    ledger.depositedScattered = integral(fields.sigmaS, fields, mean, light);
 }
 
 } // namespace bake

@@ -11,7 +11,12 @@ namespace eikonal::bake {
 /// Reads the rows of the kernels' ledger (shaders/lightsim/ledger.glsl); `unit` is the power of one of its units.
 void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger);
 
-/// Σ σ_a E V and Σ σ_s E V of the grids, V the free volume of a voxel.
-void integrateDeposits(const Fields& fields, const BakedLight& light, EnergyLedger& ledger);
+/// What the values of an irradiance grid are means over.
+enum class VoxelMean { kCube, kHat };
+
+/// ∫ σ_a E dV and ∫ σ_s E dV of the grids, σ interpolated as rays see it. Where E is a mean over hats that is the plain sum
+/// over voxels; where it is a mean over cubes, σ is averaged over the cube too and what varies in it is added to second
+/// order: mean(σE) = mean(σ) mean(E) + h²/12 ∇σ·∇E.
+void integrateDeposits(const Fields& fields, VoxelMean mean, const BakedLight& light, EnergyLedger& ledger);
 
 } // namespace eikonal::bake

@@ -100,7 +100,7 @@ TubeSettings tubeSettingsOf(const Accuracy& accuracy, const Fields& fields) {
     const double refinement = std::sqrt(accuracy.tolerance / kDefaultTolerance);
     TubeSettings settings{};
     settings.maxDeviation = float(0.15 * refinement * voxel);
-    settings.maxShareDeviation = float(0.05 * refinement);
+    settings.maxShareDeviation = float(0.01 * refinement);
     settings.resolvedSide = float(0.5 * voxel);
     settings.maxUnevenness = float(0.2 * refinement);
     // Their error falls with their number: 2 along each axis at the default, 3 at half of it, 4 at a quarter.

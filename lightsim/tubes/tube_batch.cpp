@@ -244,14 +244,17 @@ void TubeBatch::listJobs(std::uint32_t index, Samples steps, std::vector<TubeJob
         return;
     }
     const Samples bent = bentSteps(index);
+    const Samples weak = node.isLeaf() ? mesh_.weakSteps(node) : 0;
     for (Samples own = steps & ~node.fine & stepsNear(index); own != 0;) {
         const int first = std::countr_zero(own);
         int count = 1;
         while (count < TUBE_MAX_JOB_STEPS && (own >> (first + count) & 1) != 0 && (bent >> (first + count) & 1) == 0) {
             ++count;
         }
-        jobs.push_back({index, std::uint32_t(first) | std::uint32_t(count) << TUBE_JOB_COUNT_BIT});
-        own &= ~(((Samples(1) << count) - 1) << first);
+        const Samples taken = ((Samples(1) << count) - 1) << first;
+        const std::uint32_t isWeak = (weak & taken) != 0 ? 1u : 0u;
+        jobs.push_back({index, std::uint32_t(first) | std::uint32_t(count) << TUBE_JOB_COUNT_BIT | isWeak << TUBE_JOB_WEAK_BIT});
+        own &= ~taken;
     }
     if (!node.isLeaf()) {
         listJobs(node.children[0], steps & node.fine, jobs);

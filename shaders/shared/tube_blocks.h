@@ -86,9 +86,10 @@ struct TubeConformity {
 // A node over some steps of the window that are deposited as one: more than one only where its rays are straight.
 struct TubeJob {
     uint node;
-    uint steps;  // sample at which they begin, and how many in the bits from TUBE_JOB_COUNT_BIT on
+    uint steps;  // packed: sample at which they begin, how many, and whether the node is not resolved, for want of power
 };
 #define TUBE_JOB_COUNT_BIT 8u
+#define TUBE_JOB_WEAK_BIT 16u
 #define TUBE_MAX_JOB_STEPS 3
 
 // A sub-cell over some steps: what the wavefront patch sweeps. Corners 0 to 3 before, 4 to 7 after them, in the order

@@ -1,5 +1,4 @@
-// Deposit, of cells that are too weak to be refined though their corners part: between the corners there may be anything, so
-// each corner stands for a quarter of the power, on its own path.
+// Deposit, of cells between whose corners there may be anything: corners, on their own paths, in place of what lies between.
 #include "lightsim/tubes/deposit.glsl"
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
@@ -21,10 +20,10 @@ void main() {
     if (gl_GlobalInvocationID.x >= header.lists[TUBE_RAY_LIST].count) {
         return;
     }
-    uint cell = unpackedPart(listedPart(TUBE_RAY_LIST, gl_GlobalInvocationID.x)).cell;
-    CornerLight light = cornerLightOf(cell);
-    for (int i = 0; i < 4; ++i) {
-        depositRay(cells[cell].corners[i].xyz, cells[cell].corners[i + 4].xyz,
-                   0.125 * (light.powerLength[i] + light.powerLength[i + 4]));
-    }
+    // a part of this list is a corner; its cuts say how many have the power between them
+    Part part = unpackedPart(listedPart(TUBE_RAY_LIST, gl_GlobalInvocationID.x));
+    CornerLight light = cornerLightOf(part.cell);
+    int corner = part.index.x;
+    depositRay(cells[part.cell].corners[corner].xyz, cells[part.cell].corners[corner + 4].xyz,
+               between(light.powerLength[corner], light.powerLength[corner + 4], 0.5) / float(part.cuts.x));
 }

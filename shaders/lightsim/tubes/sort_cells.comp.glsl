@@ -23,7 +23,6 @@ const float kLongestPoints = 1.0;   // [voxels]: parts that are splatted are cut
 const float kPointShare = 5.0e-3;     // of the power that is not worth another ray
 const float kFolded = 1.0e9;          // unevenness where the map turns inside out
 const int kMostLogCuts = 3;         // along each axis
-const float kLongestCell = 12.0;    // [voxels]: beyond that there may be anything between the corners
 // Of the volume that a sample stands for: parts smaller than that are points, whatever their irradiance does, so that no
 // sample can be worth many times what its part carries.
 const float kLeastVolume = 1.0 / 64.0;
@@ -33,7 +32,7 @@ TubeCell cellOf(TubeJob job, uint quarter) {
     TubeCell cell;
     uint low = quarter % 2u + 3u * (quarter / 2u);
     uint first = job.steps % (1u << TUBE_JOB_COUNT_BIT);
-    uint last = first + (job.steps >> TUBE_JOB_COUNT_BIT);
+    uint last = first + (job.steps >> TUBE_JOB_COUNT_BIT) % (1u << (TUBE_JOB_WEAK_BIT - TUBE_JOB_COUNT_BIT));
     for (uint i = 0u; i < 4u; ++i) {
         uint track = trackOf(node.vertices[low + i % 2u + 3u * (i / 2u)]);
         float arc = 0.0;
@@ -134,6 +133,46 @@ void listPart(uint list, uint packed_) {
     atomicMax(header.lists[list].groups.x, place / BAKE_GROUP_SIZE + 1u);
 }
 
+// Whether the corners of a cell are in different matter, where light goes at another speed or is taken up at another rate.
+bool isMixed(TubeCell cell) {
+    const float kSameLength = 0.9;     // ratio of arc lengths in one medium, whose index varies by less than that
+    const float kSameLoss = 0.03;      // difference of the losses along the steps in one medium
+    vec3 leastLoss = vec3(1.0);
+    vec3 mostLoss = vec3(0.0);
+    float shortest = 1.0e30;
+    float longest = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec3 loss = 1.0 - cell.shares[i + 4].rgb / max(cell.shares[i].rgb, vec3(1.0e-30));
+        leastLoss = min(leastLoss, loss);
+        mostLoss = max(mostLoss, loss);
+        shortest = min(shortest, cell.corners[i + 4].w);
+        longest = max(longest, cell.corners[i + 4].w);
+    }
+    return shortest < kSameLength * longest || largestOf(mostLoss - leastLoss) > kSameLoss;
+}
+
+// Cells between whose corners there may be anything are left to rays; true if this is one. Corners that have parted far in
+// one medium share the power. Those of an unresolved node in different matter, with more than a voxel between them, leave it
+// all to the node's centre: it is always a ray of its own, while corners may be made to conform to others, and then are where
+// no light goes.
+bool listRays(TubeCell cell, uint self, bool isWeak, vec3 extents) {
+    const float kLongestCell = 12.0;   // [voxels]
+    const float kLongestMixed = 1.5;   // [voxels]
+    float across = max(extents.x, extents.y);
+    if (isWeak && across > kLongestMixed && isMixed(cell)) {
+        int centre = 3 - int(self % 4u);  // the corner of a quarter that is the centre of its node
+        listPart(TUBE_RAY_LIST, packedPart(self, ivec3(0), ivec3(centre, 0, 0)));
+        return true;
+    }
+    if (across > kLongestCell) {
+        for (int corner = 0; corner < 4; ++corner) {
+            listPart(TUBE_RAY_LIST, packedPart(self, ivec3(2, 0, 0), ivec3(corner, 0, 0)));
+        }
+        return true;
+    }
+    return false;
+}
+
 void main() {
     uint self = gl_GlobalInvocationID.x;
     if (self >= 4u * tube.itemCount) {
@@ -153,8 +192,8 @@ void main() {
     }
     cells[self] = cell;
     vec3 extents = extentsOf(x);
-    if (largestOf(extents) > kLongestCell) {
-        listPart(TUBE_RAY_LIST, packedPart(self, ivec3(0), ivec3(0)));
+    bool isWeak = jobs[self / 4u].steps >> TUBE_JOB_WEAK_BIT != 0u;
+    if (listRays(cell, self, isWeak, extents)) {
         return;
     }
     Trilinear map = trilinearOf(x);

@@ -34,7 +34,7 @@ float relativePower(TubeNode node, uint column, uint row, uint quarter) {
 }
 
 vec4[2] volumesOf(TubeNode node, TubeCell cell, uint quarter, uint first, uint last) {
-    const float kTrusted = 1.5;  // ratio to the cell's own volume beyond which the map is too rough for quadratics
+    const float kTrusted = 1.1;  // ratio to the cell's own volume beyond which the map is too rough for quadratics
     vec3 x[8];
     for (int i = 0; i < 8; ++i) {
         x[i] = cell.corners[i].xyz;
