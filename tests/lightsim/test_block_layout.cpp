@@ -1,5 +1,5 @@
 // Both languages lay out the structs that the kernels of the bake share alike.
-#include "shaders/shared/bake_blocks.h"
+#include "shaders/shared/tube_blocks.h"
 #include "tests/support/block_layout.h"
 #include "tests/support/synthetic_fields.h"
 
@@ -111,6 +111,90 @@ TEST(BlockLayout, OfWhatIsLaunchedIsTheCompilers) {
     const auto settings = test::uniformBlockLayout(emit, "SettingsBlock");
     EXPECT_EQ(settings.members, test::prefixed("settings.", bakeSettingsMembers()));
     EXPECT_EQ(settings.bytes, sizeof(bake::BakeSettings));
+}
+
+test::Members tubePresenceMembers() {
+    return {
+        EIKONAL_MEMBER(bake::TubePresence, near),
+        EIKONAL_MEMBER(bake::TubePresence, bent),
+        EIKONAL_MEMBER(bake::TubePresence, ended),
+        EIKONAL_MEMBER(bake::TubePresence, remaining),
+        EIKONAL_MEMBER(bake::TubePresence, unusedA),
+        EIKONAL_MEMBER(bake::TubePresence, unusedB)
+    };
+}
+
+test::Members tubeNodeMembers() {
+    return {
+        EIKONAL_MEMBER(bake::TubeNode, frameIndex),
+        EIKONAL_MEMBER(bake::TubeNode, unusedA),
+        EIKONAL_MEMBER(bake::TubeNode, unusedB),
+        EIKONAL_MEMBER(bake::TubeNode, launchShare)
+    };
+}
+
+test::Members tubeMeasureMembers() {
+    return {
+        EIKONAL_MEMBER(bake::TubeMeasure, strong),
+        EIKONAL_MEMBER(bake::TubeMeasure, weak),
+        EIKONAL_MEMBER(bake::TubeMeasure, launchShare)
+    };
+}
+
+test::Members tubeConformityMembers() {
+    return {
+        EIKONAL_MEMBER(bake::TubeConformity, vertex),
+        EIKONAL_MEMBER(bake::TubeConformity, first),
+        EIKONAL_MEMBER(bake::TubeConformity, second),
+        EIKONAL_MEMBER(bake::TubeConformity, unusedA),
+        EIKONAL_MEMBER(bake::TubeConformity, live),
+        EIKONAL_MEMBER(bake::TubeConformity, unusedB)
+    };
+}
+
+test::Members tubeSettingsMembers() {
+    return {
+        EIKONAL_MEMBER(bake::TubeSettings, firstStep),
+        EIKONAL_MEMBER(bake::TubeSettings, itemCount),
+        EIKONAL_MEMBER(bake::TubeSettings, maxDeviation),
+        EIKONAL_MEMBER(bake::TubeSettings, maxShareDeviation),
+        EIKONAL_MEMBER(bake::TubeSettings, resolvedSide),
+        EIKONAL_MEMBER(bake::TubeSettings, maxUnevenness),
+        EIKONAL_MEMBER(bake::TubeSettings, samplesPerVoxel),
+        EIKONAL_MEMBER(bake::TubeSettings, nearMargin),
+        EIKONAL_MEMBER(bake::TubeSettings, maxUnevenSpread),
+        EIKONAL_MEMBER(bake::TubeSettings, evenSide),
+        EIKONAL_MEMBER(bake::TubeSettings, unusedA),
+        EIKONAL_MEMBER(bake::TubeSettings, unusedB)
+    };
+}
+
+TEST(BlockLayout, OfTubesIsTheCompilers) {
+    const gpu::Kernel trace = kernelOf("lightsim/tubes/trace.comp.glsl");
+    EXPECT_EQ(test::storageBlockLayout(trace, "VertexBlock").stride, sizeof(bake::TubeVertex));
+    const auto presences = test::storageBlockLayout(trace, "ResultBlock");
+    EXPECT_EQ(presences.stride, sizeof(bake::TubePresence));
+    for (const auto& [name, offset] : test::prefixed("presences[0].", tubePresenceMembers(), 16)) {
+        EXPECT_EQ(presences.members.at(name), offset) << name;
+    }
+    const auto settings = test::uniformBlockLayout(trace, "TubeBlock");
+    EXPECT_EQ(settings.members, test::prefixed("tube.", tubeSettingsMembers()));
+    const gpu::Kernel measure = kernelOf("lightsim/tubes/measure_nodes.comp.glsl");
+    const auto nodes = test::storageBlockLayout(measure, "NodeBlock");
+    EXPECT_EQ(nodes.stride, sizeof(bake::TubeNode));
+    for (const auto& [name, offset] : test::prefixed("nodes[0].", tubeNodeMembers())) {
+        EXPECT_EQ(nodes.members.at(name), offset) << name;
+    }
+    EXPECT_EQ(test::storageBlockLayout(measure, "ResultBlock").members,
+              test::prefixed("measures[0].", tubeMeasureMembers()));
+    EXPECT_EQ(test::storageBlockLayout(kernelOf("lightsim/tubes/conform.comp.glsl"), "ItemBlock").members,
+              test::prefixed("conformities[0].", tubeConformityMembers()));
+    const gpu::Kernel gather = kernelOf("lightsim/tubes/deposit_gather.comp.glsl");
+    const auto cells = test::storageBlockLayout(gather, "RecordBlock");
+    EXPECT_EQ(cells.stride, sizeof(bake::TubeCell));
+    EXPECT_EQ(cells.members.at("cells[0].power"), offsetof(bake::TubeCell, power));
+    const auto parts = test::storageBlockLayout(gather, "PartBlock");
+    EXPECT_EQ(parts.members.at("parts[0]"), sizeof(bake::TubePartsHeader));
 }
 
 TEST(BlockLayout, OfThePeakPassIsTheCompilers) {

@@ -20,6 +20,20 @@ std::vector<KernelVariant> variants() {
             rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {"BANDS 1"}));
         }
     }
+    for (const auto& subset : test::tellingSubsets({"EFFECT_REFRACTION", "EFFECT_ABSORPTION", "EFFECT_SCATTERING",
+                                                    "EFFECT_REFLECTION", "EFFECT_OPAQUE", "MANUAL_FILTERING"})) {
+        rows.push_back(test::variant("lightsim/tubes/trace.comp.glsl", subset, {"BANDS 3"}));
+    }
+    for (const char* bands : {"BANDS 1", "BANDS 3"}) {
+        for (const char* kernel : {"deposit_gather", "deposit_points", "deposit_rays"}) {
+            for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION"})) {
+                rows.push_back(test::variant("lightsim/tubes/" + std::string(kernel) + ".comp.glsl", subset, {bands}));
+            }
+        }
+    }
+    for (const char* kernel : {"measure_edges", "measure_nodes", "conform", "sort_cells", "tally"}) {  // of no effect
+        rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3"}});
+    }
     return rows;
 }
 

@@ -33,8 +33,12 @@ TEST(PointLight, FallsWithTheSquareOfDistance) {
     const PointLight light{{0.013, -0.021, 0.017}, glm::dvec3(10.0)};
     const BakeResult result = test::bake(test::sceneWith(light), test::uniformFields(test::cube(64, 1.0)));
     const Errors errors = errorsAround(light, result.light, 0.3, 0.9);
-    EXPECT_LE(errors.rms, 0.02);              // the promise at default accuracy
-    EXPECT_LE(std::abs(errors.bias), 0.002);  // likewise
+    EXPECT_LE(errors.rms, 0.003);             // the promise at default accuracy
+    EXPECT_LE(std::abs(errors.bias), 0.001);  // a cube's mean is above its middle by (h/r)²/12, 1e-3 at 0.3
+    // a twentieth of the 1.27 million patch-steps of a splat with patches of a voxel and steps of half of one
+    EXPECT_LE(result.statistics.patches.steps, 63500u);
+    const auto& values = result.light.irradiance.values;
+    EXPECT_EQ(std::count_if(values.begin(), values.end(), [](const glm::vec3& e) { return e.x <= 0.0f; }), 0);
     EXPECT_LE(errors.direction, 0.005);       // 0.3 away a voxel spans 6 degrees: its mean direction is shorter by 0.1 %
 }
 
