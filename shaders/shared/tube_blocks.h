@@ -92,6 +92,9 @@ struct TubeJob {
 #define TUBE_JOB_WEAK_BIT 16u
 #define TUBE_MAX_JOB_STEPS 3
 
+// In place of the root of a volume: the cell's own map tells it better.
+#define TUBE_OWN_VOLUME -1.0
+
 // A sub-cell over some steps: what the wavefront patch sweeps. Corners 0 to 3 before, 4 to 7 after them, in the order
 // (u0, v0), (u1, v0), (u0, v1), (u1, v1).
 struct TubeCell {

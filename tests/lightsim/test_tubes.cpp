@@ -65,13 +65,19 @@ void refineAbout(bake::LaunchMesh& mesh, const glm::uvec2& place, int times) {
     mesh.settle();
 }
 
-TEST(LaunchMesh, LeavesCoverEveryCellOnce) {
+/// Four cells, refined about a point in one of them, close to the next.
+bake::LaunchMesh refinedMesh() {
     bake::LaunchMesh mesh;
     const bake::LaunchFrame frame = frameOfCells(2);
     for (std::uint32_t cell = 0; cell < 4; ++cell) {
         mesh.addCell(0, frame, cell);
     }
     refineAbout(mesh, {4000, 1000}, 6);
+    return mesh;
+}
+
+TEST(LaunchMesh, LeavesCoverEveryCellOnce) {
+    const bake::LaunchMesh mesh = refinedMesh();
     std::uint64_t area = 0;
     for (const bake::MeshNode& node : mesh.nodes) {
         if (node.isLeaf()) {
@@ -84,12 +90,7 @@ TEST(LaunchMesh, LeavesCoverEveryCellOnce) {
 }
 
 TEST(LaunchMesh, WhatOneSideOfAnEdgeHalvesForItselfConforms) {
-    bake::LaunchMesh mesh;
-    const bake::LaunchFrame frame = frameOfCells(2);
-    for (std::uint32_t cell = 0; cell < 4; ++cell) {
-        mesh.addCell(0, frame, cell);
-    }
-    refineAbout(mesh, {4000, 1000}, 6);
+    bake::LaunchMesh mesh = refinedMesh();
     for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
         mesh.makeRay(i);
     }

@@ -121,8 +121,8 @@ static const std::vector<BadCase> kVolumeCases{
 };
 
 static const std::vector<BadCase> kSceneCases{
-    {"MethodThatIsNotThereYet", 3, "accuracy.deposit",
-     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"cells\"\n"); }},
+    {"MethodThatIsNotThereYet", 3, "accuracy.directional",
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\n"); }},
     {"MissingScene", 3, "nowhere.toml",
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"bake", f.file("nowhere.toml"), "-o", f.file("out.vdb")};

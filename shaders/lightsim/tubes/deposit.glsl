@@ -35,9 +35,12 @@ CornerLight cornerLightOf(uint cell) {
     return light;
 }
 
-// Volume of the cell per u, v and t at a place of it, over the relative power there [voxels^3]. Its root is linear along
-// straight rays of a spherical front.
-float volumeAt(uint cell, vec3 at) {
+// Volume of the cell per u, v and t at a place of it, over the relative power there [voxels^3]: where the node's parabolas
+// are no good, `own`. Its root is linear along straight rays of a spherical front.
+float volumeAt(uint cell, vec3 at, float own) {
+    if (cells[cell].volumes[0].x < 0.0) {
+        return own;
+    }
     vec4 roots = mix(cells[cell].volumes[0], cells[cell].volumes[1], at.z);
     float root = mix(mix(roots.x, roots.y, at.x), mix(roots.z, roots.w, at.x), at.y);
     return root * root;

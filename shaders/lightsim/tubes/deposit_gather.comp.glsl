@@ -47,9 +47,11 @@ Light gathered(Part part, CornerLight corners, Trilinear map, mat3 inverseMiddle
         vec3 q = invertedIn(map, x, guess + 0.5);
         if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0)))) {
             vec3 place = placeInCell(part, q);
-            vec3 powerLength = powerLengthAt(corners, place) / (volumeAt(part.cell, place) * float(n * n * n));
+            mat3 d = derivativesIn(map, q);
+            float own = abs(determinant(d)) * float(part.cuts.x * part.cuts.y * part.cuts.z);
+            vec3 powerLength = powerLengthAt(corners, place) / (volumeAt(part.cell, place, own) * float(n * n * n));
             light.powerLength += powerLength;
-            light.flux += fluxOf(powerLength, unitOf(derivativesIn(map, q)[2]));
+            light.flux += fluxOf(powerLength, unitOf(d[2]));
         }
     }
     return light;

@@ -40,7 +40,6 @@ vec4[2] volumesOf(TubeNode node, TubeCell cell, uint quarter, uint first, uint l
         x[i] = cell.corners[i].xyz;
     }
     Trilinear map = trilinearOf(x);
-    float own[8];
     float smoothed[8];
     float meanRatio = 0.0;
     bool trusted = true;
@@ -48,15 +47,15 @@ vec4[2] volumesOf(TubeNode node, TubeCell cell, uint quarter, uint first, uint l
         uint column = quarter % 2u + uint(i) % 2u;
         uint row = quarter / 2u + uint(i) / 2u % 2u;
         vec3 travel = x[i % 4 + 4] - x[i % 4];
-        own[i] = determinant(derivativesIn(map, vec3(ivec3(i & 1, i >> 1 & 1, i >> 2))));
+        float own = determinant(derivativesIn(map, vec3(ivec3(i & 1, i >> 1 & 1, i >> 2))));
         smoothed[i] = dot(areaAt(node, column, row, i < 4 ? first : last), travel) / relativePower(node, column, row, quarter);
-        float ratio = own[i] / smoothed[i];
+        float ratio = own / smoothed[i];
         trusted = trusted && ratio > 1.0 / kTrusted && ratio < kTrusted;
         meanRatio += 0.125 * ratio;
     }
     vec4 volumes[2];
     for (int i = 0; i < 8; ++i) {
-        volumes[i / 4][i % 4] = sqrt(abs(trusted ? smoothed[i] * meanRatio : own[i]));
+        volumes[i / 4][i % 4] = trusted ? sqrt(abs(smoothed[i] * meanRatio)) : TUBE_OWN_VOLUME;
     }
     return volumes;
 }
