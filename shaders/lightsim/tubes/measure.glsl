@@ -18,7 +18,8 @@ struct Expectation {
 // matter within a voxel, and a front that is curved alike everywhere is even.
 bool isUneven(vec3 deviation, Expectation expected) {
     float extent2 = dot(expected.along, expected.along);
-    return extent2 > tube.evenSide * tube.evenSide && abs(dot(deviation, expected.along) - expected.evenShift * extent2) > tube.maxUnevenSpread * extent2;
+    float shift = dot(deviation, expected.along) - expected.evenShift * extent2;
+    return extent2 > tube.evenSide * tube.evenSide && abs(shift) > tube.maxUnevenSpread * extent2;
 }
 
 // Adds what sample k of a middle's track says; `power`: the power about it, by band, before losses.
