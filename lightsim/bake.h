@@ -1,6 +1,6 @@
 #pragma once
-// The light simulator: wavefront patches of a scene's lights are propagated through its index field and leave
-// irradiance and light direction on the domain's lattice.
+// The light simulator: wavefronts of a scene's lights are propagated through its index field, as ray tubes or as patches, and
+// leave irradiance and light direction on the domain's lattice.
 // Method: A. Tevs, Realistic Real-time Rendering of Refractive Objects (2007), chapters 4 and 6, with the corrections of
 // docs/physics.md: every arrival is kept and added, folded or not, unless the scene asks for the method of 2007.
 
