@@ -107,14 +107,39 @@ bool allZero(const DenseGrid<float>& grid) {
     return std::all_of(grid.values.begin(), grid.values.end(), [](float v) { return v == 0.0f; });
 }
 
+/// An index that is given over a box, as a grid or a field, holds vacuum too, and says by itself where.
+bool tellsMatterByIndex(const ObjectLayer& layer) {
+    return layer.extent.boundaryIsGiven || std::holds_alternative<FieldShape>(layer.object->shape);
+}
+
+/// How much of each voxel disperses: its refractivity |n - 1| as a share of the strongest. In a boundary between vacuum and
+/// one glass that is the coverage by which the given index was composed.
+DenseGrid<float> matterByIndex(const ObjectLayer& layer, const Lattice& lattice) {
+    DenseGrid<float> matter(lattice.size, 0.0f);
+    forCovered(layer, lattice, std::array{iorTerm(layer.object->ior)},
+               [&](std::size_t voxel) { return layer.extent.indexAt(voxel); },
+               [&](std::size_t voxel, double, const auto& values, const glm::dvec3&) {
+                   matter.values[voxel] = float(std::abs(values[0].x - 1.0));
+               });
+    const float strongest = *std::max_element(matter.values.begin(), matter.values.end());
+    for (float& share : matter.values)
+        share = strongest > 0.0f ? share / strongest : 0.0f;
+    return matter;
+}
+
 void finishIndex(Fields& fields) {
     const auto [low, high] = std::minmax_element(fields.ior.values.begin(), fields.ior.values.end());
     fields.iorUniform = *low;
     if (*high - *low < 1e-9f) {
         fields.ior = {};
-        return;
+    } else {
+        fields.iorGradient = gradientOf(fields.ior, fields.lattice.voxel);
     }
-    fields.iorGradient = gradientOf(fields.ior, fields.lattice.voxel);
+    if (allZero(fields.cauchyB)) {
+        fields.cauchyB = {};
+    } else {
+        fields.cauchyGradient = gradientOf(fields.cauchyB, fields.lattice.voxel);
+    }
 }
 
 } // namespace
@@ -143,6 +168,20 @@ void composeIndex(const ObjectLayer& layer, Fields& fields) {
                        marked = 255;
                    n = float(mixed(double(n), values[0].x, covered));
                });
+}
+
+void composeDispersion(const ObjectLayer& layer, Fields& fields) {
+    const double cauchyB = layer.object->cauchyB;
+    if (!layer.changesIndex || (fields.cauchyB.empty() && cauchyB == 0.0))
+        return;
+    ensure(fields.cauchyB, fields.lattice, 0.0f);
+    const bool byIndex = cauchyB != 0.0 && tellsMatterByIndex(layer);
+    const DenseGrid<float> matter = byIndex ? matterByIndex(layer, fields.lattice) : DenseGrid<float>();
+    for (std::size_t voxel = 0; voxel < fields.cauchyB.values.size(); ++voxel) {
+        const double ofObject = matter.empty() ? cauchyB : cauchyB * double(matter.values[voxel]);
+        float& before = fields.cauchyB.values[voxel];
+        before = float(mixed(double(before), ofObject, layer.extent.indexAt(voxel)));
+    }
 }
 
 void composeMedia(const ObjectLayer& layer, Fields& fields) {

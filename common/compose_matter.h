@@ -9,6 +9,9 @@ namespace eikonal {
 /// n <- n + coverage (n_object - n); boundaries that this changes are marked, those that it buries are cleared.
 void composeIndex(const ObjectLayer& layer, Fields& fields);
 
+/// Cauchy's B, composed like the index that it belongs to.
+void composeDispersion(const ObjectLayer& layer, Fields& fields);
+
 /// Absorption, scattering with its anisotropy, and emission, by area coverage.
 void composeMedia(const ObjectLayer& layer, Fields& fields);
 

@@ -33,16 +33,27 @@ EffectDecision decideReflection(const Fields& fields) {
             {"interface"}};
 }
 
-EffectDecision decideDispersion(const Scene& scene) {
-    const bool disperses =
-        std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return o.cauchyB != 0.0; });
-    return {Effect::kDispersion, false,
-            disperses ? "not simulated yet: needs spectral bands" : "no object has cauchy_b", {}};
+EffectDecision decideDispersion(const Scene& scene, const Fields& fields) {
+    if (fields.cauchyB.empty())
+        return {Effect::kDispersion, false, "no object has cauchy_b", {}};
+    const double strongest = *std::max_element(fields.cauchyB.values.begin(), fields.cauchyB.values.end());
+    const std::string why = fmt::format("cauchy_b is up to {:.4g}; {} bands", strongest, scene.accuracy.bands);
+    return {Effect::kDispersion, true, why, {"cauchy_b"}};
 }
 
 EffectDecision decideEnvironment(const Scene& scene) {
     const std::string what = scene.environment.image ? scene.environment.image->generic_string() : "a gradient";
     return {Effect::kEnvironment, true, "the background is " + what, {}};
+}
+
+/// Nothing disperses what is not refracted.
+void applyDependence(EffectSet& set) {
+    EffectDecision& dispersion = set.decisions[std::size_t(Effect::kDispersion)];
+    const EffectDecision& refraction = set.decisions[std::size_t(Effect::kRefraction)];
+    if (dispersion.on && !refraction.on) {
+        dispersion.on = false;
+        dispersion.why = "nothing is refracted: " + refraction.why;
+    }
 }
 
 void applyAllowed(const Scene& scene, EffectSet& set) {
@@ -70,11 +81,18 @@ EffectSet decideEffects(const Scene& scene, const Fields& fields) {
         decideByGrid(Effect::kScattering, !fields.sigmaS.empty(), "scatters", {"scattering", "anisotropy"}),
         decideByGrid(Effect::kEmission, !fields.emission.empty(), "emits", {"emission"}),
         decideReflection(fields),
-        decideDispersion(scene),
+        decideDispersion(scene, fields),
         decideByGrid(Effect::kOpaque, !fields.opaque.empty(), "is opaque", {"opaque", "albedo"}),
         decideEnvironment(scene),
     };
     applyAllowed(scene, set);
+    applyDependence(set);
+    return set;
+}
+
+EffectSet EffectSet::without(Effect effect) const {
+    EffectSet set = *this;
+    set.decisions[std::size_t(effect)].on = false;
     return set;
 }
 

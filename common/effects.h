@@ -26,6 +26,8 @@ struct EffectSet {
     std::vector<EffectDecision> decisions;
 
     bool has(Effect effect) const { return decisions[std::size_t(effect)].on; }
+    /// The same with an effect off.
+    EffectSet without(Effect effect) const;
     /// `#define`s that kernels are compiled with: "EFFECT_REFRACTION", ...
     std::vector<std::string> defines() const;
     /// Light is simulated only for what shows it: matter that scatters, or a lit opaque surface.

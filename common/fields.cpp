@@ -10,6 +10,7 @@
 #include "common/compose_layer.h"
 #include "common/compose_matter.h"
 #include "common/error.h"
+#include "common/spectral_fields.h"
 
 namespace eikonal {
 namespace {
@@ -26,6 +27,7 @@ Object backgroundOf(const Scene& scene) {
 }
 
 void composeLayer(const ObjectLayer& layer, Fields& fields) {
+    composeDispersion(layer, fields);
     composeIndex(layer, fields);
     composeMedia(layer, fields);
     composeOpaque(layer, fields);
@@ -57,6 +59,7 @@ Fields composeFields(const Scene& scene) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         composeLayer(layerOf(scene, scene.objects[i], i, fields.lattice), fields);
     finishFields(fields);
+    requireIndexAt(fields, kLongestVisibleMicrons, scene.source);
     return fields;
 }
 

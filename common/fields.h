@@ -11,6 +11,8 @@ struct Fields {
     Lattice lattice;
     DenseGrid<float> ior;              ///< refractive index n
     DenseGrid<glm::vec3> iorGradient;  ///< fourth-order central differences of n [1 / scene unit]; empty where n is uniform
+    DenseGrid<float> cauchyB;            ///< Cauchy's B [µm²]: n is that at 0.5876 µm; empty: nothing disperses
+    DenseGrid<glm::vec3> cauchyGradient;  ///< differences of it like those of n; present with cauchyB
     DenseGrid<unsigned char> interface;  ///< 255 inside the band of a boundary that changes n, 0 elsewhere; empty: none
     DenseGrid<glm::vec3> sigmaA;       ///< absorption [1 / scene unit]
     DenseGrid<glm::vec3> sigmaS;       ///< scattering [1 / scene unit]
@@ -24,7 +26,8 @@ struct Fields {
 /// The domain box of a scene cut into voxels: counts round up, the box extends past `max`.
 Lattice latticeOf(const Domain& domain);
 
-/// Composes the objects of a scene. Throws badInput for n <= 0, values that are not finite, files that cannot be read.
+/// Composes the objects of a scene. Throws badInput for n <= 0 at any visible wavelength, values that are not finite, files
+/// that cannot be read.
 Fields composeFields(const Scene& scene);
 
 /// Fourth-order central differences of n at voxel centres, one-sided orders falling to second at the faces.

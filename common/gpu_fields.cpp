@@ -2,14 +2,14 @@
 
 #include <stdexcept>
 
+#include "common/physics.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/domain_block.h"
 
 namespace eikonal {
 
 namespace {
 
-gpu::Buffer domainBuffer(const gpu::Context& context, const Fields& fields) {
+gpu::DomainBlock domainBlock(const Fields& fields) {
     gpu::DomainBlock block{};
     block.domainMin = glm::vec3(fields.lattice.min);
     block.domainVoxel = float(fields.lattice.voxel);
@@ -17,9 +17,7 @@ gpu::Buffer domainBuffer(const gpu::Context& context, const Fields& fields) {
     block.domainIor = fields.iorUniform;
     block.domainScale = glm::vec3(1.0 / fields.lattice.extent());
     block.domainSize = fields.lattice.size;
-    gpu::Buffer buffer(context, sizeof block, "domain");
-    buffer.upload(block);
-    return buffer;
+    return block;
 }
 
 template <class Value>
@@ -47,7 +45,8 @@ gpu::Texture3D colourTexture(const gpu::Context& context, const DenseGrid<glm::v
 }
 
 GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects)
-    : domain_(domainBuffer(context, fields)), defines_(effects.defines()) {
+    : block_(domainBlock(fields)), domain_(context, sizeof block_, "domain"), defines_(effects.defines()) {
+    domain_.upload(block_);
     if (!context.limits().exactLinearFiltering) defines_.push_back("MANUAL_FILTERING");
     const auto add = [&](Effect effect, int unit, std::string_view label, const DenseGrid<glm::vec3>& grid,
                          const DenseGrid<float>& alpha) {
@@ -56,6 +55,7 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
         textures_.push_back({unit, colourTexture(context, grid, alpha, label)});
     };
     add(Effect::kRefraction, gpu::kUnitOptics, "optics", fields.iorGradient, fields.ior);
+    add(Effect::kDispersion, gpu::kUnitDispersion, "dispersion", fields.cauchyGradient, fields.cauchyB);
     if (effects.has(Effect::kReflection)) {
         require(fields.interface, "interface");
         textures_.push_back({gpu::kUnitInterface, interfaceTexture(context, fields.interface)});
@@ -64,6 +64,11 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
     add(Effect::kScattering, gpu::kUnitSigmaS, "sigma_s", fields.sigmaS, fields.anisotropy);
     add(Effect::kEmission, gpu::kUnitEmission, "emission", fields.emission, {});
     add(Effect::kOpaque, gpu::kUnitOpaque, "opaque", fields.albedo, fields.opaque);
+}
+
+void GpuFields::setWavelength(double micrometres) {
+    block_.domainDispersion = float(f64::dispersionTerm(micrometres));
+    domain_.upload(block_);
 }
 
 void GpuFields::bind() const {

@@ -9,6 +9,7 @@
 #include "common/effects.h"
 #include "common/fields.h"
 #include "common/gpu/objects.h"
+#include "shaders/shared/domain_block.h"
 
 namespace eikonal {
 
@@ -18,6 +19,9 @@ public:
     /// std::logic_error for an effect whose grid is missing.
     GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects);
 
+    /// The wavelength of what is dispatched from now on; at first the reference's, of which `ior` is the index. Without
+    /// dispersion it makes no difference.
+    void setWavelength(double micrometres);
     /// Binds textures and the domain block to the units of shaders/shared/bindings.h.
     void bind() const;
     /// What kernels that include fields/fields.glsl are compiled with: the effects, and how textures are filtered.
@@ -31,6 +35,7 @@ private:
         gpu::Texture3D texture;
     };
 
+    gpu::DomainBlock block_;
     gpu::Buffer domain_;
     std::vector<std::string> defines_;
     std::vector<BoundTexture> textures_;

@@ -66,6 +66,7 @@ std::string sceneHash(const Scene& scene, const Fields& fields) {
     }
     hash.add(fmt::format("{}", fields.iorUniform));
     hash.add(fields.ior);
+    hash.add(fields.cauchyB);
     hash.add(fields.interface);
     hash.add(fields.sigmaA);
     hash.add(fields.sigmaS);

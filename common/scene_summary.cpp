@@ -23,7 +23,7 @@ std::size_t bytesOf(Effect effect, const Fields& fields) {
     case Effect::kEmission: return bytesOf(fields.emission);
     case Effect::kReflection: return bytesOf(fields.interface);
     case Effect::kOpaque: return bytesOf(fields.opaque) + bytesOf(fields.albedo);
-    case Effect::kDispersion:
+    case Effect::kDispersion: return bytesOf(fields.cauchyB) + bytesOf(fields.cauchyGradient);
     case Effect::kEnvironment: return 0;
     }
     return 0;

@@ -4,10 +4,12 @@
 #include <chrono>
 
 #include "common/gpu_fields.h"
+#include "common/spectral_fields.h"
 #include "lightsim/emit.h"
 #include "lightsim/ledger.h"
 #include "lightsim/light_method.h"
 #include "lightsim/settings.h"
+#include "lightsim/spectral_bake.h"
 
 namespace eikonal {
 
@@ -24,7 +26,18 @@ std::vector<std::string> definesOf(const GpuFields& gpuFields, int bands) {
 }
 
 BakedLight darkness(const Lattice& lattice) {
-    return {lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
+    return {lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}, {}};
+}
+
+/// The options of one of several equal parts of the work.
+BakeOptions asPart(const BakeOptions& options, std::size_t part, std::size_t parts) {
+    BakeOptions result = options;
+    if (options.progress) {
+        result.progress = [=, progress = options.progress](double fraction) {
+            progress((double(part) + fraction) / double(parts));
+        };
+    }
+    return result;
 }
 
 } // namespace
@@ -60,21 +73,23 @@ struct LightSimulator::Device {
 
 LightSimulator::LightSimulator(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                const EffectSet& effects, const BakeOptions& options)
-    : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options),
-      criteria_(std::make_unique<bake::Criteria>(bake::criteriaOf(scene.accuracy, fields))) {}
+    : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options) {}
 
 LightSimulator::~LightSimulator() = default;
 
-LightSimulator::Device& LightSimulator::deviceFor(int bands, const bake::LaunchGrids& grids,
+LightSimulator::Device& LightSimulator::deviceFor(int bands, const Fields& fields, const bake::LaunchGrids& grids,
                                                   const bake::BakeSettings& settings) {
+    const EffectSet effects = effects_.without(Effect::kDispersion);  // the fields are those of one wavelength
     if (!device_ || device_->bands != bands) {
         const std::size_t blockBytes =
             options_.maxBlockBytes > 0 ? options_.maxBlockBytes : context_.limits().maxStorageBlockBytes;
         device_.reset();  // the old one's memory before the new one's
-        device_ = std::make_unique<Device>(Device{GpuFields(context_, fields_, effects_), bands, nullptr});
+        device_ = std::make_unique<Device>(Device{GpuFields(context_, fields, effects), bands, nullptr});
         device_->method =
             bake::makeMethod(context_, {fields_, accuracy_, definesOf(device_->fields, bands), bands, blockBytes}, options_,
                              grids, settings);
+    } else if (&fields != &fields_) {
+        device_->fields = GpuFields(context_, fields, effects);
     }
     device_->fields.bind();
     device_->method->setLights(context_, grids, settings);
@@ -82,20 +97,31 @@ LightSimulator::Device& LightSimulator::deviceFor(int bands, const bake::LaunchG
 }
 
 BakeResult LightSimulator::bake(const LightSet& lights) {
+    const std::vector<SpectralBand> bands = spectralBandsOf(accuracy_, effects_);
+    if (bands.empty()) {
+        return bakeIn(fields_, lights, options_);
+    }
+    return bake::bakeSpectrum(fields_, lights, bands,
+                              [&](const Fields& fields, const LightSet& ofBand, std::size_t band) {
+                                  return bakeIn(fields, ofBand, asPart(options_, band, bands.size()));
+                              });
+}
+
+BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& lights, const BakeOptions& options) {
     const auto start = Clock::now();
-    BakeResult result{darkness(fields_.lattice), {}, {}};
+    BakeResult result{darkness(fields.lattice), {}, {}};
     result.statistics.device = context_.rendererName();
-    const bake::LaunchGrids grids =
-        bake::launchGrids(lights, fields_.lattice, criteria_->maxSide, criteria_->splitShare);
+    const bake::Criteria criteria = bake::criteriaOf(accuracy_, fields);
+    const bake::LaunchGrids grids = bake::launchGrids(lights, fields.lattice, criteria.maxSide, criteria.splitShare);
     result.statistics.energy.emitted = grids.emitted;
     if (grids.strongestPower > 0.0) {
-        const bake::BakeSettings settings = bake::settingsOf(*criteria_, grids, fields_, options_);
-        Device& device = deviceFor(bake::bandsOf(lights, fields_, effects_), grids, settings);
+        const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);
+        Device& device = deviceFor(bake::bandsOf(lights, fields, effects_), fields, grids, settings);
         result.statistics.memoryBytes = device.bytes();
         result.statistics.seconds.upload = secondsSince(start);
-        device.bakeSlabs(fields_, options_, result);
+        device.bakeSlabs(fields, options, result);
         bake::readLedger(device.method->ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
-        bake::integrateDeposits(fields_, bake::usesPatches(accuracy_) ? bake::VoxelMean::kHat : bake::VoxelMean::kCube, result.light,
+        bake::integrateDeposits(fields, bake::usesPatches(accuracy_) ? bake::VoxelMean::kHat : bake::VoxelMean::kCube, result.light,
                                 result.statistics.energy);
     }
     context_.throwIfError();

@@ -21,7 +21,6 @@ namespace eikonal {
 
 namespace bake {
 struct BakeSettings;
-struct Criteria;
 struct LaunchGrids;
 } // namespace bake
 
@@ -48,6 +47,14 @@ struct EnergyLedger {
     /// 1 - (absorbed + scattered + exited + reflected + culled)/entered; 0 where nothing entered.
     glm::dvec3 balance() const;
     EnergyLedger& operator+=(const EnergyLedger& other);
+    /// Of a ledger of grey light, the linear Rec.709 when it is that of a spectral band.
+    EnergyLedger ofBand(const glm::dvec3& toRgb) const;
+};
+
+/// The ledger of a spectral band, in units of white.
+struct BandLedger {
+    double wavelengthNm = 0.0;
+    EnergyLedger energy;
 };
 
 struct PatchCounts {
@@ -69,9 +76,13 @@ struct BakeSeconds {
 struct BakeStatistics {
     BakeSeconds seconds;
     PatchCounts patches;
-    EnergyLedger energy;
+    EnergyLedger energy;            ///< where something disperses, the linear Rec.709 of all bands
+    std::vector<BandLedger> bands;  ///< where something disperses; else empty
     std::string device;
     std::size_t memoryBytes = 0;  ///< of buffers and textures
+
+    /// Adds another run's; `peak` and `memoryBytes` become the largest.
+    void addRun(const BakeStatistics& run);
 };
 
 /// What one light of several leaves.
@@ -100,14 +111,14 @@ public:
 
 private:
     struct Device;
-    Device& deviceFor(int bands, const bake::LaunchGrids& grids, const bake::BakeSettings& settings);
+    BakeResult bakeIn(const Fields& fields, const LightSet& lights, const BakeOptions& options);
+    Device& deviceFor(int bands, const Fields& fields, const bake::LaunchGrids& grids, const bake::BakeSettings& settings);
 
     const gpu::Context& context_;
     Accuracy accuracy_;
     const Fields& fields_;
     EffectSet effects_;
     BakeOptions options_;
-    std::unique_ptr<bake::Criteria> criteria_;
     std::unique_ptr<Device> device_;
 };
 

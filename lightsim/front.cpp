@@ -128,7 +128,7 @@ std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene
     if (!(grids.strongestPower > 0.0)) {
         return {};
     }
-    const GpuFields gpuFields(context, fields, effects);
+    const GpuFields gpuFields(context, fields, effects.without(Effect::kDispersion));
     gpuFields.bind();
     const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);
     bake::Wavefront wavefront(context, gpuFields.defines(), grids, settings);

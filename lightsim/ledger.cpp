@@ -14,16 +14,6 @@ glm::dvec3 EnergyLedger::balance() const {
     return rest;
 }
 
-EnergyLedger& EnergyLedger::operator+=(const EnergyLedger& other) {
-    for (const auto row : {&EnergyLedger::emitted, &EnergyLedger::entered, &EnergyLedger::absorbed,
-                           &EnergyLedger::absorbedOpaque, &EnergyLedger::scattered, &EnergyLedger::exited,
-                           &EnergyLedger::reflected, &EnergyLedger::culled, &EnergyLedger::depositedAbsorbed,
-                           &EnergyLedger::depositedScattered}) {
-        this->*row += other.*row;
-    }
-    return *this;
-}
-
 namespace bake {
 
 void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger) {

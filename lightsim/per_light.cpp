@@ -1,41 +1,37 @@
 #include "lightsim/per_light.h"
 
-#include <algorithm>
-
 namespace eikonal {
 
 namespace {
 
-double overBands(const glm::vec3& irradiance) {
-    return double(irradiance.x) + double(irradiance.y) + double(irradiance.z);
+/// Irradiance of a voxel, all bands.
+double overBands(const BakedLight& light, std::size_t voxel) {
+    if (light.bands.empty()) {
+        const glm::dvec3 irradiance(light.irradiance.values[voxel]);
+        return irradiance.x + irradiance.y + irradiance.z;
+    }
+    double sum = 0.0;
+    for (const BandIrradiance& band : light.bands) {
+        sum += band.irradiance.values[voxel];
+    }
+    return sum;
+}
+
+glm::dvec3 fluxAt(const BakedLight& light, std::size_t voxel) {
+    return glm::dvec3(light.lightDirection.values[voxel]) * overBands(light, voxel);
 }
 
 /// Irradiances add; light directions by their flux, which is the direction times the irradiance of all bands.
 void addLight(BakedLight& sum, const BakedLight& more) {
     for (std::size_t i = 0; i < sum.irradiance.values.size(); ++i) {
-        glm::vec3& irradiance = sum.irradiance.values[i];
-        glm::vec3& direction = sum.lightDirection.values[i];
-        const glm::dvec3 flux = glm::dvec3(direction) * overBands(irradiance) +
-                                glm::dvec3(more.lightDirection.values[i]) * overBands(more.irradiance.values[i]);
-        irradiance += more.irradiance.values[i];
-        const double total = overBands(irradiance);
-        direction = total > 0.0 ? glm::vec3(flux / total) : glm::vec3(0.0f);
+        const glm::dvec3 flux = fluxAt(sum, i) + fluxAt(more, i);
+        sum.irradiance.values[i] += more.irradiance.values[i];
+        for (std::size_t band = 0; band < sum.bands.size(); ++band) {
+            sum.bands[band].irradiance.values[i] += more.bands[band].irradiance.values[i];
+        }
+        const double total = overBands(sum, i);
+        sum.lightDirection.values[i] = total > 0.0 ? glm::vec3(flux / total) : glm::vec3(0.0f);
     }
-}
-
-void addStatistics(BakeStatistics& sum, const BakeStatistics& more) {
-    sum.seconds.upload += more.seconds.upload;
-    sum.seconds.propagate += more.seconds.propagate;
-    sum.seconds.read += more.seconds.read;
-    sum.seconds.total += more.seconds.total;
-    sum.patches.peak = std::max(sum.patches.peak, more.patches.peak);
-    sum.patches.steps += more.patches.steps;
-    sum.patches.fieldEvaluations += more.patches.fieldEvaluations;
-    sum.patches.splits += more.patches.splits;
-    sum.patches.folds += more.patches.folds;
-    sum.patches.refusedSplits += more.patches.refusedSplits;
-    sum.energy += more.energy;
-    sum.memoryBytes = std::max(sum.memoryBytes, more.memoryBytes);
 }
 
 } // namespace
@@ -45,7 +41,7 @@ BakeResult bakePerLight(LightSimulator& simulator, const LightSet& lights) {
     for (const NamedLightSet& single : singleLights(lights)) {
         BakeResult one = simulator.bake(single.lights);
         addLight(sum.light, one.light);
-        addStatistics(sum.statistics, one.statistics);
+        sum.statistics.addRun(one.statistics);
         sum.parts.push_back({single.name, std::move(one.light)});
     }
     return sum;

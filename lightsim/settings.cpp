@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/spectral_fields.h"
+
 namespace eikonal::bake {
 
 namespace {
@@ -30,11 +32,6 @@ IorRange iorRangeOf(const Fields& fields) {
     }
     const auto [low, high] = std::minmax_element(fields.ior.values.begin(), fields.ior.values.end());
     return {*low, *high};
-}
-
-bool isGrey(const DenseGrid<glm::vec3>& grid) {
-    return std::all_of(grid.values.begin(), grid.values.end(),
-                       [](const glm::vec3& value) { return value.x == value.y && value.y == value.z; });
 }
 
 bool isGrey(const glm::dvec3& strength) { return strength.x == strength.y && strength.y == strength.z; }

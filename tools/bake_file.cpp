@@ -1,5 +1,7 @@
 #include "tools/bake_file.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -7,6 +9,7 @@
 #include "common/error.h"
 #include "common/scene_hash.h"
 #include "common/scene_toml.h"
+#include "common/spectrum.h"
 #include "common/vdb_io.h"
 #include "tools/program.h"
 #include "tools/statistics_json.h"
@@ -38,6 +41,21 @@ Lattice latticeOf(const VdbGrid& grid) {
     return lattice;
 }
 
+std::string bandGridName(double wavelengthNm) { return fmt::format("irradiance_{}nm", std::lround(wavelengthNm)); }
+
+/// The grids of the scene's bands; none if the file does not have all of them.
+std::vector<BandIrradiance> bandsOf(const VdbFile& file, const Scene& scene, const glm::ivec3& size) {
+    std::vector<BandIrradiance> bands;
+    for (const SpectralBand& band : spectralBands(scene.accuracy.bands)) {
+        const VdbGrid* grid = file.find(bandGridName(band.wavelengthNm()));
+        if (grid == nullptr || !grid->isScalar() || grid->size() != size) {
+            return {};
+        }
+        bands.push_back({band.wavelengthNm(), grid->scalar()});
+    }
+    return bands;
+}
+
 /// What tells the scene of a bake from this one, for a message.
 std::string differenceFrom(const Scene& scene, const std::string& bakedScene, const std::string& bakeName) {
     try {
@@ -58,7 +76,7 @@ void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const 
         {"version", std::string(kVersion)},
         {"scene", resolvedToml(scene)},
         {"scene_hash", sceneHash(scene, fields)},
-        {"energy", energyJson(result.statistics.energy).dump()},
+        {"energy", energyJson(result.statistics).dump()},
         {"seconds", result.statistics.seconds.total},
         {"renderer", result.statistics.device},
     };
@@ -67,6 +85,9 @@ void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const 
     }
     std::vector<NamedGrid> grids{{.name = "irradiance", .values = &result.light.irradiance},
                                  {.name = "light_direction", .values = &result.light.lightDirection}};
+    for (const BandIrradiance& band : result.light.bands) {
+        grids.push_back({.name = bandGridName(band.wavelengthNm), .values = &band.irradiance});
+    }
     for (const NamedLight& part : result.parts) {
         grids.push_back({.name = "irradiance_" + part.name, .values = &part.light.irradiance});
         grids.push_back({.name = "light_direction_" + part.name, .values = &part.light.lightDirection});
@@ -88,7 +109,7 @@ BakedLight readBakeFile(const std::filesystem::path& path, const Scene& scene, c
                                    path.string(), scene.source,
                                    differenceFrom(scene, textOf(file.metadata, "scene"), path.string())));
     }
-    return {latticeOf(irradiance), irradiance.vector(), direction.vector()};
+    return {latticeOf(irradiance), irradiance.vector(), direction.vector(), bandsOf(file, scene, irradiance.size())};
 }
 
 } // namespace eikonal

@@ -57,6 +57,17 @@ double worstBalance(const EnergyLedger& energy) {
     return std::max({balance.r, balance.g, balance.b});
 }
 
+double worstBalance(const BakeStatistics& statistics) {
+    if (statistics.bands.empty()) {
+        return worstBalance(statistics.energy);
+    }
+    double worst = 0.0;
+    for (const BandLedger& band : statistics.bands) {
+        worst = std::max(worst, worstBalance(band.energy));
+    }
+    return worst;
+}
+
 void runFronts(const BakeArguments& arguments, const ProgramOptions& options) {
     requireFrontArguments(arguments);
     requireWritable(arguments.output);
@@ -93,7 +104,7 @@ void requireOutputs(const BakeArguments& arguments) {
 void noteBake(const std::string& file, const BakeResult& result, const ProgramOptions& options) {
     const glm::ivec3& size = result.light.lattice.size;
     note(options, fmt::format("{}: {} x {} x {} voxels in {:.2f} s, energy balance within {:.1e}", file, size.x, size.y,
-                              size.z, result.statistics.seconds.total, worstBalance(result.statistics.energy)));
+                              size.z, result.statistics.seconds.total, worstBalance(result.statistics)));
 }
 
 void runBake(const BakeArguments& arguments, const ProgramOptions& options) {

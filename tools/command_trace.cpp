@@ -28,7 +28,11 @@ std::vector<TraceRay> traceRaysOf(const std::vector<RayRow>& rows) {
     std::vector<TraceRay> rays;
     rays.reserve(rows.size());
     for (const RayRow& row : rows) {
-        rays.push_back({row.origin, row.direction});
+        TraceRay ray{.origin = row.origin, .direction = row.direction};
+        if (row.wavelengthNm) {
+            ray.wavelengthMicrons = 1e-3 * *row.wavelengthNm;
+        }
+        rays.push_back(ray);
     }
     return rays;
 }
@@ -53,7 +57,7 @@ void addTraceCommand(CLI::App& program, const ProgramOptions& options) {
     CLI::App* command = program.add_subcommand("trace", "follow single rays through a scene's index field");
     auto arguments = std::make_shared<TraceArguments>();
     addSceneArguments(*command, arguments->scene);
-    command->add_option("--rays", arguments->rays, "CSV with a header of x,y,z,dx,dy,dz [scene units]")
+    command->add_option("--rays", arguments->rays, "CSV with a header of x,y,z,dx,dy,dz [scene units] and, optionally, wavelength_nm")
         ->required()
         ->type_name("IN.csv");
     command->add_option("-o,--output", arguments->output, "CSV to write, a row per ray in order")

@@ -1,29 +1,57 @@
 #include "tools/statistics_json.h"
 
+#include <array>
+
 #include <nlohmann/json.hpp>
 
 namespace eikonal {
 
 namespace {
 
-nlohmann::json byBand(const glm::dvec3& value) { return {value.r, value.g, value.b}; }
+using LedgerRow = glm::dvec3 EnergyLedger::*;
+
+struct NamedRow {
+    const char* name;
+    LedgerRow row;
+};
+
+constexpr std::array kRows{NamedRow{"emitted", &EnergyLedger::emitted},
+                           NamedRow{"entered", &EnergyLedger::entered},
+                           NamedRow{"absorbed", &EnergyLedger::absorbed},
+                           NamedRow{"absorbed_opaque", &EnergyLedger::absorbedOpaque},
+                           NamedRow{"scattered", &EnergyLedger::scattered},
+                           NamedRow{"exited", &EnergyLedger::exited},
+                           NamedRow{"reflected", &EnergyLedger::reflected},
+                           NamedRow{"culled", &EnergyLedger::culled},
+                           NamedRow{"deposited_absorbed", &EnergyLedger::depositedAbsorbed},
+                           NamedRow{"deposited_scattered", &EnergyLedger::depositedScattered}};
+
+nlohmann::json ofChannels(const glm::dvec3& value) { return {value.r, value.g, value.b}; }
+
+nlohmann::json channelsJson(const EnergyLedger& energy) {
+    nlohmann::json rows{{"balance", ofChannels(energy.balance())}};
+    for (const NamedRow& row : kRows) {
+        rows[row.name] = ofChannels(energy.*row.row);
+    }
+    return rows;
+}
+
+nlohmann::json bandsJson(const std::vector<BandLedger>& bands) {
+    nlohmann::json rows;
+    for (const BandLedger& band : bands) {
+        rows["wavelengths_nm"].push_back(band.wavelengthNm);
+        rows["balance"].push_back(band.energy.balance().x);
+        for (const NamedRow& row : kRows) {
+            rows[row.name].push_back((band.energy.*row.row).x);
+        }
+    }
+    return rows;
+}
 
 } // namespace
 
-nlohmann::json energyJson(const EnergyLedger& energy) {
-    return {
-        {"emitted", byBand(energy.emitted)},
-        {"entered", byBand(energy.entered)},
-        {"absorbed", byBand(energy.absorbed)},
-        {"absorbed_opaque", byBand(energy.absorbedOpaque)},
-        {"scattered", byBand(energy.scattered)},
-        {"exited", byBand(energy.exited)},
-        {"reflected", byBand(energy.reflected)},
-        {"culled", byBand(energy.culled)},
-        {"balance", byBand(energy.balance())},
-        {"deposited_absorbed", byBand(energy.depositedAbsorbed)},
-        {"deposited_scattered", byBand(energy.depositedScattered)},
-    };
+nlohmann::json energyJson(const BakeStatistics& statistics) {
+    return statistics.bands.empty() ? channelsJson(statistics.energy) : bandsJson(statistics.bands);
 }
 
 nlohmann::json effectsJson(const EffectSet& effects) {
@@ -50,7 +78,7 @@ nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effec
           {"splits", patches.splits},
           {"folds", patches.folds},
           {"refused_splits", patches.refusedSplits}}},
-        {"energy", energyJson(statistics.energy)},
+        {"energy", energyJson(statistics)},
         {"effects", effectsJson(effects)},
         {"device", statistics.device},
         {"memory_bytes", statistics.memoryBytes},

@@ -9,7 +9,8 @@
 
 namespace eikonal {
 
-nlohmann::json energyJson(const EnergyLedger& energy);
+/// A list by band in every row: red, green, blue, or the spectral bands with their wavelengths, long ones first.
+nlohmann::json energyJson(const BakeStatistics& statistics);
 nlohmann::json effectsJson(const EffectSet& effects);
 nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effects);
 nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& effects);

@@ -2,8 +2,8 @@
 
 namespace eikonal::viewer {
 
-Accumulate::Accumulate(const gpu::Context& context, std::size_t capacity)
-    : kernel_(context, "viewer/accumulate.comp.glsl", {}),
+Accumulate::Accumulate(const gpu::Context& context, const std::vector<std::string>& defines, std::size_t capacity)
+    : kernel_(context, "viewer/accumulate.comp.glsl", defines),
       film_(context, capacity * sizeof(gpu::FilmPixel), "film"),
       counters_(context, 4 * sizeof(std::uint32_t), "ray counts") {
     counters_.fill(0);

@@ -15,7 +15,7 @@ struct RayCounts {
 
 class Accumulate {
 public:
-    Accumulate(const gpu::Context& context, std::size_t capacity);
+    Accumulate(const gpu::Context& context, const std::vector<std::string>& defines, std::size_t capacity);
 
     void run(const RayBatch& batch) const;
     /// The film of a tile of that many pixels.

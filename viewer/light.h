@@ -13,11 +13,15 @@ namespace eikonal::viewer {
 
 class Light {
 public:
-    /// Uploads a bake; nullptr: no light, no texture.
-    Light(const gpu::Context& context, const BakedLight* bake);
+    /// Uploads a bake; nullptr: no light, no texture. Its bands are used if there are `bandCount` of them.
+    Light(const gpu::Context& context, const BakedLight* bake, std::size_t bandCount);
 
     void configure(gpu::ViewBlock& view) const;
+    /// True if every band has a grid of its own.
+    bool isByBand() const { return textures_ && !textures_->bands.empty(); }
     void bind() const;
+    /// The irradiance of a band, in all channels. Without grids by band the one of all is bound.
+    void bindBand(std::size_t band) const;
     /// "BAKED_LIGHT" if there is one.
     std::vector<std::string> defines() const;
     std::vector<std::pair<std::string, std::size_t>> textures() const;
@@ -26,6 +30,7 @@ private:
     struct Textures {
         Lattice lattice;
         gpu::Texture3D irradiance, direction;
+        std::vector<gpu::Texture3D> bands;
     };
     std::optional<Textures> textures_;
 };

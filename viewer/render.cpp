@@ -11,7 +11,9 @@
 #include "common/environment_map.h"
 #include "common/gpu_fields.h"
 #include "common/image_io.h"
+#include "common/spectral_fields.h"
 #include "viewer/accumulate.h"
+#include "viewer/band_passes.h"
 #include "viewer/environment.h"
 #include "viewer/generate.h"
 #include "viewer/light.h"
@@ -40,6 +42,7 @@ void append(std::vector<Row>& rows, const std::vector<Row>& more) {
 struct Pipeline {
     GpuFields fields;
     viewer::EnvironmentLight environment;
+    viewer::BandPasses passes;
     viewer::Light light;
     std::vector<std::string> defines;
     viewer::RayBatch batch;
@@ -56,12 +59,13 @@ struct Pipeline {
           environment(context, scene.environment, map,
                       effects.has(Effect::kOpaque) && effects.has(Effect::kEnvironment) &&
                           !(bake && scene.environment.bake)),
-          light(context, bake), defines(fields.defines()), batch(context, capacity),
+          passes(spectralBandsOf(scene.accuracy, effects), scene.render.samples),
+          light(context, bake, passes.bandCount()), defines(fields.defines()), batch(context, capacity),
           generate(context, fields.defines(), viewer::Generate::Source::kCamera),
           march(context, allDefines(),
                 {stepVoxelsOf(scene.accuracy), options.maxEvaluations, options.stepsPerSlice},
                 sceneFields.lattice),
-          shade(context, defines), accumulate(context, capacity), toneMap(context, scene.render.toneMap, capacity) {}
+          shade(context, defines), accumulate(context, defines, capacity), toneMap(context, scene.render.toneMap, capacity) {}
 
     const std::vector<std::string>& allDefines() {
         append(defines, environment.defines());
@@ -76,6 +80,10 @@ struct Pipeline {
     }
 };
 
+bool hasGreyMatter(const Fields& fields) {
+    return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
+}
+
 void configure(Pipeline& pipeline, const Scene& scene, const Fields& fields, const RenderOptions& options) {
     gpu::ViewBlock& view = pipeline.batch.view;
     view.opaqueOffset = float(fields.lattice.voxel);
@@ -86,6 +94,7 @@ void configure(Pipeline& pipeline, const Scene& scene, const Fields& fields, con
     pipeline.environment.configure(view);
     pipeline.light.configure(view);
     pipeline.march.configure(view);
+    pipeline.passes.configure(view, pipeline.light.isByBand() && !hasGreyMatter(fields));
     pipeline.fields.bind();
     pipeline.light.bind();
     pipeline.environment.bind();
@@ -96,11 +105,14 @@ void renderSample(Pipeline& pipeline, const Tile& tile, int sample, viewer::Pixe
     viewer::configureTile(batch.view, tile);
     batch.view.sampleIndex = gpu::uint(sample);
     batch.view.subPixel = viewer::subPixelPosition(sample, filter);
-    batch.bind();
-    pipeline.generate.run(batch);
-    pipeline.march.run(batch);
-    pipeline.shade.run(batch);
-    pipeline.accumulate.run(batch);
+    for (std::size_t pass = 0; pass < pipeline.passes.count(); ++pass) {
+        pipeline.passes.begin(pass, sample, batch.view, pipeline.fields, pipeline.light);
+        batch.bind();
+        pipeline.generate.run(batch);
+        pipeline.march.run(batch);
+        pipeline.shade.run(batch);
+        pipeline.accumulate.run(batch);
+    }
 }
 
 std::array<float, kChannelNames.size()> channelValues(const gpu::FilmPixel& p) {

@@ -1,9 +1,12 @@
 #include "viewer/trace.h"
 
 #include <algorithm>
+#include <map>
 
 #include "common/accuracy.h"
 #include "common/gpu_fields.h"
+#include "common/physics.h"
+#include "common/spectral_fields.h"
 #include "viewer/generate.h"
 #include "viewer/march.h"
 
@@ -15,11 +18,13 @@ constexpr std::size_t kRaysAtATime = 1u << 16;
 
 EffectSet tracedEffects(EffectSet effects) {
     for (EffectDecision& decision : effects.decisions) {
-        decision.on = decision.on && (decision.effect == Effect::kRefraction || decision.effect == Effect::kAbsorption ||
-                                      decision.effect == Effect::kOpaque);
+        decision.on = decision.on && (decision.effect == Effect::kRefraction || decision.effect == Effect::kDispersion ||
+                                      decision.effect == Effect::kAbsorption || decision.effect == Effect::kOpaque);
     }
     return effects;
 }
+
+double wavelengthOf(const TraceRay& ray) { return ray.wavelengthMicrons.value_or(f64::kReferenceMicrons); }
 
 /// The kernels and buffers that rays are followed with, batch after batch.
 struct Tracer {
@@ -36,9 +41,12 @@ struct Tracer {
           generate(context, fields.defines(), viewer::Generate::Source::kGiven),
           march(context, fields.defines(), settings, sceneFields.lattice) {
         march.configure(batch.view);
+        batch.view.bandChannel = gpu::kAllChannels;
     }
 
+    /// Rays of one wavelength.
     void start(std::span<const TraceRay> rays) {
+        fields.setWavelength(wavelengthOf(rays.front()));
         std::vector<gpu::GivenRay> rows(rays.size());
         std::transform(rays.begin(), rays.end(), rows.begin(), [](const TraceRay& ray) {
             return gpu::GivenRay{glm::vec3(ray.origin), 0.0f, glm::vec3(glm::normalize(ray.direction)), 0.0f};
@@ -76,12 +84,34 @@ TraceResult resultOf(const gpu::RayState& state, const TraceRay& ray) {
     return result;
 }
 
-std::vector<std::span<const TraceRay>> batchesOf(const std::vector<TraceRay>& rays) {
-    std::vector<std::span<const TraceRay>> batches;
-    for (std::size_t first = 0; first < rays.size(); first += kRaysAtATime) {
-        batches.push_back(std::span(rays).subspan(first, std::min(kRaysAtATime, rays.size() - first)));
+/// The rays of an input that are followed together: of one wavelength, at most kRaysAtATime.
+struct Batch {
+    std::vector<std::size_t> rows;
+    std::vector<TraceRay> rays;
+};
+
+std::vector<Batch> batchesOf(const std::vector<TraceRay>& rays, bool byWavelength) {
+    std::map<double, std::vector<std::size_t>> rowsOfWavelength;
+    for (std::size_t row = 0; row < rays.size(); ++row) {
+        rowsOfWavelength[byWavelength ? wavelengthOf(rays[row]) : f64::kReferenceMicrons].push_back(row);
+    }
+    std::vector<Batch> batches;
+    for (const auto& [wavelength, rows] : rowsOfWavelength) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (i % kRaysAtATime == 0) batches.emplace_back();
+            batches.back().rows.push_back(rows[i]);
+            batches.back().rays.push_back(rays[rows[i]]);
+        }
     }
     return batches;
+}
+
+/// The longest wavelength is the one that dispersing matter refracts least.
+void requireIndex(const Fields& fields, const EffectSet& effects, const std::vector<TraceRay>& rays) {
+    if (!effects.has(Effect::kDispersion)) return;
+    double longest = f64::kReferenceMicrons;
+    for (const TraceRay& ray : rays) longest = std::max(longest, wavelengthOf(ray));
+    requireIndexAt(fields, longest, "wavelength_nm");
 }
 
 /// Paths of one batch: slices of one step, read back after each.
@@ -117,15 +147,15 @@ std::string_view traceStatusName(TraceStatus status) {
 
 std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
+    requireIndex(fields, effects, rays);
     Tracer tracer(context, fields, effects, {.stepVoxels = stepVoxelsOf(accuracy)},
                   std::min(rays.size(), kRaysAtATime));
-    std::vector<TraceResult> results;
-    results.reserve(rays.size());
-    for (const auto batch : batchesOf(rays)) {
-        tracer.start(batch);
+    std::vector<TraceResult> results(rays.size());
+    for (const Batch& batch : batchesOf(rays, effects.has(Effect::kDispersion))) {
+        tracer.start(batch.rays);
         tracer.march.run(tracer.batch);
         const auto states = tracer.states();
-        for (std::size_t i = 0; i < states.size(); ++i) results.push_back(resultOf(states[i], batch[i]));
+        for (std::size_t i = 0; i < states.size(); ++i) results[batch.rows[i]] = resultOf(states[i], batch.rays[i]);
     }
     context.throwIfError();
     return results;
@@ -133,15 +163,17 @@ std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fi
 
 std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
+    requireIndex(fields, effects, rays);
     Tracer tracer(context, fields, effects, {.stepVoxels = stepVoxelsOf(accuracy), .stepsPerSlice = 1},
                   std::min(rays.size(), kRaysAtATime));
+    std::vector<std::vector<TraceResult>> paths(rays.size());
+    for (const Batch& batch : batchesOf(rays, effects.has(Effect::kDispersion))) {
+        auto some = batchPaths(tracer, batch.rays);
+        for (std::size_t i = 0; i < some.size(); ++i) paths[batch.rows[i]] = std::move(some[i]);
+    }
     std::vector<TracePoint> points;
-    std::size_t row = 0;
-    for (const auto batch : batchesOf(rays)) {
-        for (const auto& path : batchPaths(tracer, batch)) {
-            for (const TraceResult& at : path) points.push_back({row, at});
-            ++row;
-        }
+    for (std::size_t row = 0; row < paths.size(); ++row) {
+        for (const TraceResult& at : paths[row]) points.push_back({row, at});
     }
     context.throwIfError();
     return points;

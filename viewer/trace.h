@@ -2,6 +2,7 @@
 // Rays through a scene's index field, by the kernel that marches the viewing rays.
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace eikonal {
 struct TraceRay {
     glm::dvec3 origin{0.0};     ///< [scene units]
     glm::dvec3 direction{0.0};  ///< any length but 0
+    std::optional<double> wavelengthMicrons;  ///< in vacuum; unset: that at which a scene gives its index
 };
 
 enum class TraceStatus { kExited, kAbsorbed, kLimit, kMissed };
@@ -36,7 +38,8 @@ struct TracePoint {
 };
 
 /// Follows rays from where they enter the domain, or start inside, to where they leave; one result a ray, in order.
-/// Of `effects`, refraction, absorption and opaque count. Throws badInput for a step that is not positive.
+/// Of `effects`, refraction, dispersion, absorption and opaque count. Throws badInput for a step that is not positive, and for
+/// a wavelength at which the index is not.
 std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays);
 

@@ -65,6 +65,8 @@ public:
 
     /// Tightly packed texels of the texture's own format (R8: bytes, others: floats), x fastest.
     void upload(const void* texels);
+    /// Reads of a texture of one channel give its value in red, green and blue.
+    void showRedInAllChannels();
     void bind(GLuint unit) const;
     GLuint name() const { return name_; }
     std::size_t bytes() const;

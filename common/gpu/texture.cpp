@@ -97,6 +97,12 @@ void Texture<kDimensions>::upload(const void* texels) {
 }
 
 template <int kDimensions>
+void Texture<kDimensions>::showRedInAllChannels() {
+    glTextureParameteri(name_, GL_TEXTURE_SWIZZLE_G, GL_RED);
+    glTextureParameteri(name_, GL_TEXTURE_SWIZZLE_B, GL_RED);
+}
+
+template <int kDimensions>
 void Texture<kDimensions>::bind(GLuint unit) const {
     glBindTextureUnit(unit, name_);
 }

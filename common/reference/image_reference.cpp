@@ -15,7 +15,7 @@ constexpr double kSolid = 0.5;  // coverage at which matter begins
 class Walk {
 public:
     Walk(const ImageScene& scene, const ImageOptions& options)
-        : scene_(scene), field_(scene.fields), step_(options.stepVoxels * field_.lattice().voxel),
+        : scene_(scene), field_(scene.fields, f64::dispersionTerm(options.wavelengthMicrons)), step_(options.stepVoxels * field_.lattice().voxel),
           maxLength_(options.maxPathVoxels * field_.lattice().voxel) {}
 
     ImageRay from(const glm::dvec3& origin, const glm::dvec3& direction);

@@ -23,6 +23,7 @@ struct ImageScene {
 struct ImageOptions {
     double stepVoxels = 0.1;      ///< at most 1, or the samples of matter are too few
     double maxPathVoxels = 4096;  ///< a ray that is longer shows the background where it points
+    double wavelengthMicrons = 0.5876;  ///< where something disperses; the scene's index is that of the default
 };
 
 enum class RayEnd { kMissed, kExited, kHitOpaque, kTooLong };

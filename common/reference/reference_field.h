@@ -36,14 +36,11 @@ auto trilinear(const DenseGrid<Value>& grid, const Lattice& lattice, const glm::
 /// The composed fields, interpolated as the kernels do it.
 class GridField {
 public:
-    explicit GridField(const Fields& fields) : fields_(fields) {}
+    /// Fields as light of a wavelength finds them: `dispersionTerm` is 1/wavelength² - 1/wavelength_d² [1/µm²].
+    explicit GridField(const Fields& fields, double dispersionTerm = 0.0)
+        : fields_(fields), dispersionTerm_(dispersionTerm) {}
 
-    Optics optics(const glm::dvec3& x) const {
-        if (fields_.iorGradient.empty()) {
-            return {fields_.iorUniform, glm::dvec3(0.0)};
-        }
-        return {trilinear(fields_.ior, fields_.lattice, x), trilinear(fields_.iorGradient, fields_.lattice, x)};
-    }
+    Optics optics(const glm::dvec3& x) const;
     bool inBand(const glm::dvec3& x) const {
         if (fields_.interface.empty()) {
             return false;
@@ -69,6 +66,7 @@ private:
     }
 
     const Fields& fields_;
+    double dispersionTerm_;
 };
 
 /// The smoothed sphere about the origin, n = 1 + (index - 1) erfc((r - radius)/(sqrt(2) width))/2, in closed form; no

@@ -1,5 +1,6 @@
 // The optical constants of the scene at a world position. Only what an effect asks for has a texture.
 #include "fields/trilinear.glsl"
+#include "physics/dispersion.glsl"
 #include "shared/domain_block.h"
 
 // A grid on the domain's lattice at a world position.
@@ -14,7 +15,23 @@ struct Optics {
 
 #ifdef EFFECT_REFRACTION
 layout(binding = kUnitOptics) uniform sampler3D opticsGrid;
+#endif
 
+#if defined(EFFECT_DISPERSION)
+layout(binding = kUnitDispersion) uniform sampler3D dispersionGrid;
+
+// Whether this invocation has been where the index depends on the wavelength.
+bool hasMetDispersion = false;
+
+// At the wavelength of the dispatch.
+Optics sampleOptics(vec3 x) {
+    vec4 texel = sampleGrid(opticsGrid, x);
+    vec4 cauchy = sampleGrid(dispersionGrid, x);
+    hasMetDispersion = hasMetDispersion || cauchy != vec4(0.0);
+    return Optics(dispersedIndex(texel.a, cauchy.a, domainDispersion),
+                  dispersedGradient(texel.rgb, cauchy.rgb, domainDispersion));
+}
+#elif defined(EFFECT_REFRACTION)
 Optics sampleOptics(vec3 x) {
     vec4 texel = sampleGrid(opticsGrid, x);
     return Optics(texel.a, texel.rgb);

@@ -35,6 +35,9 @@ const uint kStepLimit = 3u;
 const uint kMissed = 4u;      // never entered the domain
 const uint kAttenuated = 5u;  // nothing behind it can be seen
 
+// In place of a band's channel: the pass at the reference wavelength.
+const uint kAllChannels = 3u;
+
 // A ray under way. Radiance is basic radiance, L/n^2, until the shade stage makes a pixel's of it.
 struct RayState {
     vec3 x;               // position [scene units]
@@ -56,7 +59,7 @@ struct RayState {
     float n;              // index at the last evaluation
     float nCamera;        // index where the ray starts
     float entryDistance;  // from the start to the domain [scene units]
-    float pad;
+    uint dispersed;       // 1: it has been where the index depends on the wavelength
 };
 
 struct GivenRay {
@@ -105,8 +108,10 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
     float exposureScale;
     uint sampleIndex;
     float sampleWeight;       // 1 / samples
-    float viewPad;
+    uint dispersedAtStart;    // RayState::dispersed of new rays
     vec4 ambient[6];          // cosine-weighted mean radiance about +X, -X, +Y, -Y, +Z, -Z
+    vec3 bandToRgb;           // linear Rec.709 of a unit of radiance in the band
+    uint bandChannel;         // of the ray's radiance: the one that the band is about, or kAllChannels
 };
 
 #ifdef __cplusplus
@@ -115,7 +120,7 @@ static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, depth) == 32 && 
 static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 64);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
-static_assert(sizeof(ViewBlock) == 272);
+static_assert(offsetof(ViewBlock, bandToRgb) == 272 && sizeof(ViewBlock) == 288);
 
 } // namespace eikonal::gpu
 #endif

@@ -1,5 +1,5 @@
 // Adds a sample of every pixel to the film, and the tile's counts to the statistics. Everything but radiance is taken from
-// the ray through the pixel's centre, sample 0.
+// the ray through the pixel's centre, sample 0, at the reference wavelength.
 #include "viewer/ray_states.glsl"
 
 layout(local_size_x = kRaysPerGroup) in;
@@ -17,9 +17,21 @@ void addToCounter(int counter, uint value) {
     }
 }
 
+// What a ray adds to its pixel. One that has met dispersion adds it band by band.
+vec3 colourOf(RayState ray) {
+#ifdef EFFECT_DISPERSION
+    if (!isReferencePass()) {
+        return bandToRgb * ray.radiance[bandChannel];
+    }
+    return ray.dispersed != 0u ? vec3(0.0) : ray.radiance;
+#else
+    return ray.radiance;
+#endif
+}
+
 void develop(uint index, RayState ray) {
     FilmPixel pixel = film[index];
-    if (sampleIndex == 0u) {
+    if (sampleIndex == 0u && isReferencePass()) {
         pixel.radiance = vec3(0.0);
         pixel.exitDirection = unitDirection(ray);
         pixel.steps = ray.evaluations > 0u ? float(ray.evaluations - 1u) : 0.0;
@@ -28,7 +40,7 @@ void develop(uint index, RayState ray) {
         pixel.throughput = rayThroughput(ray);
         pixel.opticalLength = ray.opticalLength;
     }
-    pixel.radiance += sampleWeight * ray.radiance;
+    pixel.radiance += sampleWeight * colourOf(ray);
     film[index] = pixel;
 }
 
@@ -39,7 +51,7 @@ void main() {
         groupEvaluations = 0u;
     }
     barrier();
-    if (index < rayCount) {
+    if (index < rayCount && isFollowed(rays[index])) {
         RayState ray = rays[index];
         develop(index, ray);
         atomicAdd(groupEntered, ray.status == kMissed ? 0u : 1u);

@@ -30,7 +30,7 @@ RayState rayAt(vec3 origin, vec3 direction) {
     ray.n = 1.0;
     ray.nCamera = 1.0;
     ray.entryDistance = uintBitsToFloat(0x7f800000u);
-    ray.pad = 0.0;
+    ray.dispersed = dispersedAtStart;
     return ray;
 }
 
@@ -64,7 +64,7 @@ RayState initialRay(uint index) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index < rayCount) {
+    if (index < rayCount && isFollowed(rays[index])) {
         rays[index] = enterDomain(initialRay(index));
     }
 }

@@ -131,5 +131,8 @@ void main() {
         passStep(ray, taken);
         endRay(ray);
     }
+#ifdef EFFECT_DISPERSION
+    ray.dispersed |= uint(hasMetDispersion);
+#endif
     rays[index] = ray;
 }

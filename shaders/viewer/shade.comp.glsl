@@ -55,7 +55,7 @@ vec3 radianceBehind(RayState ray) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= rayCount) {
+    if (index >= rayCount || !isFollowed(rays[index])) {
         return;
     }
     RayState ray = rays[index];

@@ -53,12 +53,6 @@ TEST(Effects, EachKindOfMatterCallsForItsOwn) {
     EXPECT_FALSE(decide("[[object]]\nscattering = \"0*x\"\n").has(Effect::kScattering));
 }
 
-TEST(Effects, DispersionSaysWhyItIsOff) {
-    const Decided flint = decide("[[object]]\ncauchy_b = 0.01\n");
-    EXPECT_FALSE(flint.has(Effect::kDispersion));
-    EXPECT_EQ(flint.why(Effect::kDispersion), "not simulated yet: needs spectral bands");
-}
-
 TEST(Effects, LightIsSimulatedOnlyWhereItShows) {
     EXPECT_FALSE(decide("[medium]\nscattering = 1\n").wantsLight());            // nothing shines
     EXPECT_FALSE(decide("[[light]]\n[[object]]\n").wantsLight());                // nothing shows it

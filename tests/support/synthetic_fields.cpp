@@ -41,6 +41,13 @@ Fields sphereFields(const Lattice& lattice, double radius, double index, double 
     return fields;
 }
 
+Fields dispersing(Fields fields, double cauchyB, double index) {
+    fields.cauchyB = fields.ior;
+    for (float& value : fields.cauchyB.values) value = float(cauchyB * (double(value) - 1.0) / (index - 1.0));
+    fields.cauchyGradient = gradientOf(fields.cauchyB, fields.lattice.voxel);
+    return fields;
+}
+
 DenseGrid<glm::vec3> boxGrid(const Lattice& lattice, const glm::dvec3& min, const glm::dvec3& max,
                              const glm::vec3& value) {
     const DenseGrid<float> coverage = boxCoverage(lattice, min, max);

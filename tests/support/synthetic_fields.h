@@ -34,6 +34,10 @@ Fields uniformFields(const Lattice& lattice, double n = 1.0);
 /// A smoothed sphere about the origin: n = 1 + (index - 1) erfc((r - radius)/(sqrt(2) width))/2, with its interface band.
 Fields sphereFields(const Lattice& lattice, double radius, double index, double width);
 
+/// The fields with a Cauchy's B [µm²] that goes with the refractivity n - 1, as that of one glass does: `cauchyB` where n is
+/// `index`.
+Fields dispersing(Fields fields, double cauchyB, double index);
+
 /// A value inside a box by the share of each voxel that it covers.
 DenseGrid<glm::vec3> boxGrid(const Lattice& lattice, const glm::dvec3& min, const glm::dvec3& max,
                              const glm::vec3& value);

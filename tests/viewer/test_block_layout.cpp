@@ -18,7 +18,7 @@ test::Members rayStateMembers() {
         EIKONAL_MEMBER(gpu::RayState, crossingStart), EIKONAL_MEMBER(gpu::RayState, crossingWTangential),
         EIKONAL_MEMBER(gpu::RayState, crossingSide), EIKONAL_MEMBER(gpu::RayState, n),
         EIKONAL_MEMBER(gpu::RayState, nCamera), EIKONAL_MEMBER(gpu::RayState, entryDistance),
-        EIKONAL_MEMBER(gpu::RayState, pad)
+        EIKONAL_MEMBER(gpu::RayState, dispersed)
     };
 }
 
@@ -35,8 +35,9 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, imageSize), EIKONAL_MEMBER(gpu::ViewBlock, tileOrigin),
         EIKONAL_MEMBER(gpu::ViewBlock, tileSize), EIKONAL_MEMBER(gpu::ViewBlock, subPixel),
         EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, sampleIndex),
-        EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, viewPad),
+        EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, dispersedAtStart),
         {"ambient[0]", offsetof(gpu::ViewBlock, ambient)},
+        EIKONAL_MEMBER(gpu::ViewBlock, bandToRgb), EIKONAL_MEMBER(gpu::ViewBlock, bandChannel),
     };
 }
 
@@ -44,7 +45,7 @@ test::Members domainBlockMembers() {
     return {
         EIKONAL_MEMBER(gpu::DomainBlock, domainMin), EIKONAL_MEMBER(gpu::DomainBlock, domainVoxel),
         EIKONAL_MEMBER(gpu::DomainBlock, domainMax), EIKONAL_MEMBER(gpu::DomainBlock, domainIor),
-        EIKONAL_MEMBER(gpu::DomainBlock, domainScale), EIKONAL_MEMBER(gpu::DomainBlock, domainPad0),
+        EIKONAL_MEMBER(gpu::DomainBlock, domainScale), EIKONAL_MEMBER(gpu::DomainBlock, domainDispersion),
         EIKONAL_MEMBER(gpu::DomainBlock, domainSize), EIKONAL_MEMBER(gpu::DomainBlock, domainPad1)
     };
 }

@@ -6,6 +6,7 @@
 
 #include "common/physics.h"
 #include "common/reference/image_reference.h"
+#include "common/spectrum.h"
 #include "tests/support/synthetic_fields.h"
 #include "viewer/render.h"
 
@@ -94,12 +95,59 @@ Setting only(Setting setting, const std::set<Effect>& effects) {
     return setting;
 }
 
+/// The setting with glass that disperses.
+Setting dispersing(Setting setting, int bands) {
+    setting.fields = test::dispersing(setting.fields, 0.04, 1.5);
+    setting.scene.accuracy.bands = bands;
+    return setting;
+}
+
+/// The light with irradiance that differs from band to band.
+BakedLight byBand(BakedLight light, int bands) {
+    for (const SpectralBand& band : spectralBands(bands)) {
+        DenseGrid<float> irradiance(light.irradiance.size, 0.0f);
+        for (std::size_t i = 0; i < irradiance.values.size(); ++i) {
+            irradiance.values[i] = light.irradiance.values[i].g * float(band.wavelengthMicrons);
+        }
+        light.bands.push_back({band.wavelengthNm(), std::move(irradiance)});
+    }
+    return light;
+}
+
 std::vector<glm::dvec3> rendered(const Setting& setting) {
     const RenderResult image = renderScene(test::sharedContext(), setting.scene, setting.fields,
                                            test::effectsOf(setting.scene, setting.fields), &setting.light);
     std::vector<glm::dvec3> radiance;
     for (int i = 0; i < kSize * kSize; ++i) radiance.emplace_back(image.radiance(i % kSize, i / kSize));
     return radiance;
+}
+
+/// The light of one band, the same in all channels.
+BakedLight lightOfBand(const BakedLight& light, std::size_t band) {
+    BakedLight result = light;
+    for (std::size_t i = 0; i < result.irradiance.values.size() && !light.bands.empty(); ++i) {
+        result.irradiance.values[i] = glm::vec3(light.bands[band].irradiance.values[i]);
+    }
+    return result;
+}
+
+/// A ray by the reference: its radiance the sum over bands where something disperses, all else at the reference wavelength.
+ImageRay followed(const Setting& setting, const reference::ImageScene& scene, const glm::dvec3& origin,
+                  const glm::dvec3& direction, const reference::ImageOptions& options) {
+    ImageRay ray = reference::followRay(scene, origin, direction, options);
+    if (setting.fields.cauchyB.empty()) return ray;
+    ray.radiance = glm::dvec3(0.0);
+    const auto bands = spectralBands(setting.scene.accuracy.bands);
+    for (std::size_t band = 0; band < bands.size(); ++band) {
+        const BakedLight light = lightOfBand(setting.light, band);
+        reference::ImageScene ofBand = scene;
+        ofBand.light = &light;
+        reference::ImageOptions atWavelength = options;
+        atWavelength.wavelengthMicrons = bands[band].wavelengthMicrons;
+        ray.radiance += bands[band].toRgb *
+                        reference::followRay(ofBand, origin, direction, atWavelength).radiance[bands[band].channel];
+    }
+    return ray;
 }
 
 /// The image by the reference, of every `stride`-th pixel each way, every ray's origin shifted.
@@ -116,8 +164,8 @@ std::vector<ImageRay> truth(const Setting& setting, double stepVoxels, int strid
     for (int y = 0; y < kSize; y += stride) {
         for (int x = 0; x < kSize; x += stride) {
             const glm::dvec2 screen = 2.0 * (glm::dvec2(x, y) + 0.5) / double(kSize) - 1.0;
-            image.push_back(reference::followRay(scene, setting.scene.camera.position + shift,
-                                                 {screen.x * half, -screen.y * half, -1.0}, {.stepVoxels = stepVoxels}));
+            image.push_back(followed(setting, scene, setting.scene.camera.position + shift,
+                                     {screen.x * half, -screen.y * half, -1.0}, {.stepVoxels = stepVoxels}));
         }
     }
     return image;
@@ -157,6 +205,13 @@ TEST(ImageReference, AgreesOnEachEffectAlone) {
         SCOPED_TRACE(effectName(*effects.rbegin()));
         expectAgreement(only(glassInSmoke(), effects), kRounding);
     }
+}
+
+TEST(ImageReference, AgreesOnDispersingGlassInSmoke) {
+    expectAgreement(dispersing(glassInSmoke(), 3), kRounding);
+    Setting byBands = dispersing(glassInSmoke(), 4);
+    byBands.light = byBand(byBands.light, 4);
+    expectAgreement(byBands, kRounding);
 }
 
 TEST(ImageReference, AgreesOnOpaqueMatterInSmokeAndAlone) {

@@ -20,7 +20,13 @@ std::vector<KernelVariant> variants() {
                                        {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_REINHARD"}},
                                        {"gpu/linear_filtering.comp.glsl", {}}};
-    for (const auto& subset : test::tellingSubsets(switches)) {
+    auto subsets = test::tellingSubsets(switches);
+    auto all = switches;
+    all.push_back("EFFECT_DISPERSION");
+    subsets.push_back(all);
+    subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION"});  // never without refraction
+    rows.push_back({"viewer/accumulate.comp.glsl", {"EFFECT_REFRACTION", "EFFECT_DISPERSION"}});
+    for (const auto& subset : subsets) {
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 2"}));
         rows.push_back(test::variant("viewer/shade.comp.glsl", subset));

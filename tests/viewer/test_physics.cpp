@@ -1,4 +1,4 @@
-// The equations of shaders/physics, compiled as C++, against closed forms (docs/physics.md, section 6).
+// The equations of shaders/physics, compiled as C++, against closed forms (docs/physics.md, section 7).
 #include <array>
 #include <cmath>
 

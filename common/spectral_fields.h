@@ -1,0 +1,28 @@
+#pragma once
+// The fields of a scene as light of one wavelength finds them.
+
+#include <string>
+
+#include "common/effects.h"
+#include "common/fields.h"
+#include "common/spectrum.h"
+
+namespace eikonal {
+
+/// End of the spectrum at which dispersing matter has its least index.
+inline constexpr double kLongestVisibleMicrons = 0.7;
+
+/// Throws badInput where the index is not positive at a wavelength, naming `source`. Nothing to check where nothing
+/// disperses.
+void requireIndexAt(const Fields& fields, double wavelengthMicrons, const std::string& source);
+
+/// Index, gradient and constants of a band, the same in all three components, and nothing that disperses any more.
+Fields fieldsOfBand(const Fields& fields, const SpectralBand& band);
+
+/// True if a grid holds the same value in red, green and blue everywhere.
+bool isGrey(const DenseGrid<glm::vec3>& grid);
+
+/// The bands that light is followed in besides the reference wavelength; none without dispersion.
+std::vector<SpectralBand> spectralBandsOf(const Accuracy& accuracy, const EffectSet& effects);
+
+} // namespace eikonal
