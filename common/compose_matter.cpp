@@ -178,9 +178,12 @@ void composeDispersion(const ObjectLayer& layer, Fields& fields) {
     const bool byIndex = cauchyB != 0.0 && tellsMatterByIndex(layer);
     const DenseGrid<float> matter = byIndex ? matterByIndex(layer, fields.lattice) : DenseGrid<float>();
     for (std::size_t voxel = 0; voxel < fields.cauchyB.values.size(); ++voxel) {
+        const double covered = layer.extent.indexAt(voxel);
+        if (!(covered > kNoCoverage))
+            continue;
         const double ofObject = matter.empty() ? cauchyB : cauchyB * double(matter.values[voxel]);
         float& before = fields.cauchyB.values[voxel];
-        before = float(mixed(double(before), ofObject, layer.extent.indexAt(voxel)));
+        before = float(mixed(double(before), ofObject, covered));
     }
 }
 

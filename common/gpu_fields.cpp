@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "common/physics.h"
+#include "common/spectral_fields.h"
 #include "shaders/shared/bindings.h"
 
 namespace eikonal {
@@ -45,7 +46,7 @@ gpu::Texture3D colourTexture(const gpu::Context& context, const DenseGrid<glm::v
 }
 
 GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects)
-    : block_(domainBlock(fields)), domain_(context, sizeof block_, "domain"), defines_(effects.defines()) {
+    : cauchyOverRefractivity_(cauchyOverRefractivity(fields)), block_(domainBlock(fields)), domain_(context, sizeof block_, "domain"), defines_(effects.defines()) {
     domain_.upload(block_);
     if (!context.limits().exactLinearFiltering) defines_.push_back("MANUAL_FILTERING");
     const auto add = [&](Effect effect, int unit, std::string_view label, const DenseGrid<glm::vec3>& grid,
@@ -55,7 +56,11 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
         textures_.push_back({unit, colourTexture(context, grid, alpha, label)});
     };
     add(Effect::kRefraction, gpu::kUnitOptics, "optics", fields.iorGradient, fields.ior);
-    add(Effect::kDispersion, gpu::kUnitDispersion, "dispersion", fields.cauchyGradient, fields.cauchyB);
+    if (!cauchyOverRefractivity_) {
+        add(Effect::kDispersion, gpu::kUnitDispersion, "dispersion", fields.cauchyGradient, fields.cauchyB);
+    } else if (effects.has(Effect::kDispersion)) {
+        defines_.push_back("DISPERSION_BY_REFRACTIVITY");
+    }
     if (effects.has(Effect::kReflection)) {
         require(fields.interface, "interface");
         textures_.push_back({gpu::kUnitInterface, interfaceTexture(context, fields.interface)});
@@ -67,7 +72,7 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
 }
 
 void GpuFields::setWavelength(double micrometres) {
-    block_.domainDispersion = float(f64::dispersionTerm(micrometres));
+    block_.domainDispersion = float(f64::dispersionTerm(micrometres) * cauchyOverRefractivity_.value_or(1.0));
     domain_.upload(block_);
 }
 

@@ -2,6 +2,7 @@
 // The fields of a scene as textures: exactly those that its effects need (shaders/fields/fields.glsl reads them).
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ private:
         gpu::Texture3D texture;
     };
 
+    std::optional<double> cauchyOverRefractivity_;
     gpu::DomainBlock block_;
     gpu::Buffer domain_;
     std::vector<std::string> defines_;

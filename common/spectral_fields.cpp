@@ -1,6 +1,7 @@
 #include "common/spectral_fields.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,9 @@
 namespace eikonal {
 
 namespace {
+
+constexpr double kLeastRefractivity = 0.01;  // of what disperses most; below it the ratio is not well known
+constexpr double kRoundingOfIndex = 1e-6;    // of n, by which voxels may be off the proportion
 
 DenseGrid<glm::vec3> inAllBands(const DenseGrid<glm::vec3>& grid, int channel) {
     DenseGrid<glm::vec3> result = grid;
@@ -49,6 +53,25 @@ Fields fieldsOfBand(const Fields& fields, const SpectralBand& band) {
         result.*constants = inAllBands(fields.*constants, band.channel);
     }
     return result;
+}
+
+std::optional<double> cauchyOverRefractivity(const Fields& fields) {
+    if (fields.cauchyB.empty() || fields.ior.empty()) {
+        return std::nullopt;
+    }
+    const auto strongest = std::max_element(fields.cauchyB.values.begin(), fields.cauchyB.values.end());
+    const double refractivity = double(fields.ior.values[std::size_t(strongest - fields.cauchyB.values.begin())]) - 1.0;
+    if (std::abs(refractivity) < kLeastRefractivity) {
+        return std::nullopt;
+    }
+    const double ratio = double(*strongest) / refractivity;
+    for (std::size_t voxel = 0; voxel < fields.cauchyB.values.size(); ++voxel) {
+        const double expected = ratio * (double(fields.ior.values[voxel]) - 1.0);
+        if (!(std::abs(expected - double(fields.cauchyB.values[voxel])) <= kRoundingOfIndex * std::abs(ratio))) {
+            return std::nullopt;
+        }
+    }
+    return ratio;
 }
 
 bool isGrey(const DenseGrid<glm::vec3>& grid) {

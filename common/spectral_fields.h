@@ -1,6 +1,7 @@
 #pragma once
 // The fields of a scene as light of one wavelength finds them.
 
+#include <optional>
 #include <string>
 
 #include "common/effects.h"
@@ -18,6 +19,9 @@ void requireIndexAt(const Fields& fields, double wavelengthMicrons, const std::s
 
 /// Index, gradient and constants of a band, the same in all three components, and nothing that disperses any more.
 Fields fieldsOfBand(const Fields& fields, const SpectralBand& band);
+
+/// Cauchy's B over n - 1 [µm²] where that is the same everywhere, to the rounding of the grids; else nothing.
+std::optional<double> cauchyOverRefractivity(const Fields& fields);
 
 /// True if a grid holds the same value in red, green and blue everywhere.
 bool isGrey(const DenseGrid<glm::vec3>& grid);

@@ -22,6 +22,8 @@ constexpr double kMinWindowCosine = 0.35;
 constexpr std::uint32_t kNearCells = 16;   // per side of a cube face about a light inside the domain
 constexpr std::uint32_t kCloseCells = 64;  // the same for a light just outside
 constexpr std::uint32_t kConeCells = 64;   // per side of the square about a cone, at least: its edge is a few of them wide
+constexpr std::uint32_t kPencilCells = 24;  // the same for a beam of a few voxels, whose edge no voxel resolves
+constexpr double kPencilCellVoxels = 0.125;
 
 struct Window {
     dvec2 low{1e300}, high{-1e300};
@@ -170,8 +172,11 @@ private:
         const auto [u, v] = axesAcross(source.axis);
         LaunchFrame frame = pointFrame(source, source.axis * depth, distance);
         placeAxes(frame, u * half, v * half);
-        frame.cellsU = std::max(frame.cellsU, kConeCells);
-        frame.cellsV = std::max(frame.cellsV, kConeCells);
+        const double beamCells = 2.0 * half / (kPencilCellVoxels * lattice_.voxel);
+        const std::uint32_t least =
+            distance > 0.0 ? std::uint32_t(std::clamp(beamCells, double(kPencilCells), double(kConeCells))) : kConeCells;
+        frame.cellsU = std::max(frame.cellsU, least);
+        frame.cellsV = std::max(frame.cellsV, least);
         return frame;
     }
 

@@ -18,15 +18,27 @@ layout(binding = kUnitOptics) uniform sampler3D opticsGrid;
 #endif
 
 #if defined(EFFECT_DISPERSION)
-layout(binding = kUnitDispersion) uniform sampler3D dispersionGrid;
-
 // Whether this invocation has been where the index depends on the wavelength.
 bool hasMetDispersion = false;
+
+// grad B in rgb, Cauchy's B in alpha. Where B is in proportion to n - 1 everywhere, as with one glass in air, it needs no
+// texture: domainDispersion has the factor.
+#ifdef DISPERSION_BY_REFRACTIVITY
+vec4 sampleCauchy(vec3 x, vec4 optics) {
+    return vec4(optics.rgb, optics.a - 1.0);
+}
+#else
+layout(binding = kUnitDispersion) uniform sampler3D dispersionGrid;
+
+vec4 sampleCauchy(vec3 x, vec4 optics) {
+    return sampleGrid(dispersionGrid, x);
+}
+#endif
 
 // At the wavelength of the dispatch.
 Optics sampleOptics(vec3 x) {
     vec4 texel = sampleGrid(opticsGrid, x);
-    vec4 cauchy = sampleGrid(dispersionGrid, x);
+    vec4 cauchy = sampleCauchy(x, texel);
     hasMetDispersion = hasMetDispersion || cauchy != vec4(0.0);
     return Optics(dispersedIndex(texel.a, cauchy.a, domainDispersion),
                   dispersedGradient(texel.rgb, cauchy.rgb, domainDispersion));

@@ -22,7 +22,7 @@ layout(std140, binding = kUniformDomain) uniform DomainBlock {
     vec3 domainMax;      // upper corner [scene units]
     float domainIor;     // index where the scene has no index field
     vec3 domainScale;    // texture coordinate per scene unit, by axis
-    float domainDispersion;  // 1/wavelength^2 - 1/wavelength_d^2 [1 / micrometre^2] (physics/dispersion.glsl)
+    float domainDispersion;  // 1/wavelength^2 - 1/wavelength_d^2, times the unit of B in the fields (fields/fields.glsl)
     ivec3 domainSize;    // voxels
     int domainPad1;
 };

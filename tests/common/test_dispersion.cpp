@@ -28,13 +28,12 @@ TEST(Dispersion, IsComposedByTheCoverageOfTheIndex) {
 
 TEST(Dispersion, LaterObjectsWin) {
     const Fields fields = fieldsOf("[[object]]\nshape = \"box\"\nsize = [4, 4, 4]\nior = 1.5\ncauchy_b = 0.02\n"
-                                   "[[object]]\nradius = 0.5\nior = 1.7\ncauchy_b = 0.05\n"
+                                   "[[object]]\nradius = 0.8\nior = 1.7\ncauchy_b = 0.05\n"
                                    "[[object]]\nradius = 0.2\nior = 1.3\n");
     const auto at = [&](int i) { return fields.cauchyB.at(i, 12, 12); };
     EXPECT_FLOAT_EQ(at(0), 0.02f);
-    EXPECT_FLOAT_EQ(at(8), 0.05f);
-    // half a voxel off the middle of a sphere of 2.4 voxels, smoothed by 1.5: all but the tail of its boundary
-    EXPECT_LT(at(12), 0.2f * 0.05f);
+    EXPECT_NEAR(at(6), 0.05, 0.03 * 0.05);  // 3 and 4 voxels from boundaries smoothed by 1.5: 2 % and 0.3 % of each
+    EXPECT_LT(at(12), 0.2f * 0.05f);        // 1.5 voxels inside the last: 16 % of what was there before
 }
 
 TEST(Dispersion, OfAnIndexOverABoxLeavesItsVacuumAlone) {
@@ -51,7 +50,8 @@ TEST(Dispersion, FollowsCauchysEquationInEveryBand) {
         const Fields ofBand = fieldsOfBand(fields, band);
         const double lambda = band.wavelengthMicrons;
         const double a = 1.62 - 0.013 / (0.5876 * 0.5876);  // n = A + B/lambda^2
-        EXPECT_NEAR(ofBand.ior.at(12, 12, 12), a + 0.013 / (lambda * lambda), 1e-6);
+        // seven voxels inside a boundary of 1.5 coverage is 1 to 2e-5
+        EXPECT_NEAR(ofBand.ior.at(12, 12, 12), a + 0.013 / (lambda * lambda), 2e-5);
         EXPECT_EQ(ofBand.sigmaA.at(12, 12, 12), glm::vec3(float(1 + band.channel)));
         EXPECT_TRUE(ofBand.cauchyB.empty());
         // the gradient is that of the band's index: differences are linear
@@ -59,6 +59,17 @@ TEST(Dispersion, FollowsCauchysEquationInEveryBand) {
         for (std::size_t v = 0; v < gradient.values.size(); ++v)
             EXPECT_LT(glm::length(gradient.values[v] - ofBand.iorGradient.values[v]), 2e-5f);  // n to float, over h = 1/12
     }
+}
+
+TEST(Dispersion, OfOneGlassInAirIsInProportionToItsRefractivity) {
+    const auto ratioOf = [](const std::string& text) { return cauchyOverRefractivity(fieldsOf(text)); };
+    const std::string ball = "[[object]]\nradius = 0.5\nior = 1.5\ncauchy_b = 0.02\n";
+    ASSERT_TRUE(ratioOf(ball));
+    EXPECT_NEAR(*ratioOf(ball), 0.04, 1e-6);
+    EXPECT_TRUE(ratioOf(ball + "[[object]]\nradius = 0.2\nior = 1.75\ncauchy_b = 0.03\n")) << "a second of the same ratio";
+    EXPECT_FALSE(ratioOf(ball + "[[object]]\nradius = 0.2\nior = 1.7\ncauchy_b = 0.03\n"));
+    EXPECT_FALSE(ratioOf(ball + "[[object]]\nradius = 0.2\nior = 1.33\n")) << "one does not disperse";
+    EXPECT_FALSE(ratioOf("[[object]]\nior = 1.5\n"));
 }
 
 TEST(Dispersion, CostsNoGridWhereNothingDisperses) {

@@ -44,14 +44,15 @@ TEST(Prism, DeviatesEveryWavelengthByTheClosedForm) {
         const double exact = 2.0 * std::asin(n * std::sin(kHalfApex)) - 2.0 * kHalfApex;  // δ = 2 asin(n sin(A/2)) - A
         const double found = std::acos(glm::dot(results[i].direction, glm::normalize(rays[i].direction)));
         // A smoothed plane boundary keeps n sin θ, so smoothing does not count; interpolation on voxels that the boundary
-        // crosses obliquely does, by a few 1e-4 a boundary. The visible spectrum spans 0.13 rad.
-        EXPECT_NEAR(found, exact, 1.5e-3) << 1e3 * *rays[i].wavelengthMicrons << " nm, ray " << i % 5;
+        // crosses obliquely does, by up to 1e-3 a boundary (RMS 4e-4 at 0.75 voxel a step, docs/performance.md). The
+        // visible spectrum spans 0.13 rad.
+        EXPECT_NEAR(found, exact, 2.5e-3) << 1e3 * *rays[i].wavelengthMicrons << " nm, ray " << i % 5;
     }
 }
 
-Fields sphere(int resolution, double cauchyB) {
+Fields sphere(int resolution, double cauchyB, double radius = 0.6) {
     const Lattice lattice = test::cube(resolution, 1.0);
-    return test::dispersing(test::sphereFields(lattice, 0.6, 1.5, 1.5 * lattice.voxel), cauchyB, 1.5);
+    return test::dispersing(test::sphereFields(lattice, radius, 1.5, 1.5 * lattice.voxel), cauchyB, 1.5);
 }
 
 RenderResult rendered(const Scene& scene, const Fields& fields, const BakedLight* light = nullptr) {
@@ -98,14 +99,13 @@ TEST(DispersedImage, IsColouredWhereAnEdgeIsSeenThroughGlass) {
 TEST(DispersedImage, OnlyRaysThatMeetDispersionAreFollowedByBand) {
     Scene scene = test::plainScene(glm::dvec3(1.0), 4.0, 30.0, 24);
     scene.accuracy.bands = 10;
-    Fields fields = sphere(32, 0.05);
+    Fields fields = sphere(64, 0.05, 0.3);
     const RenderResult dispersed = rendered(scene, fields);
     fields.cauchyB = {};
     const RenderResult plain = rendered(scene, fields);
     const double more = double(dispersed.statistics.fieldEvaluations) / double(plain.statistics.fieldEvaluations) - 1.0;
-    // the sphere and its tails, to 0.85, are less than half of what the domain covers in the image, in ten bands
-    EXPECT_LT(more, 0.5 * 10.0);
-    EXPECT_GT(more, 0.1 * 10.0);
+    // the sphere and the tails of its boundary, to a radius of 0.56, cover a quarter of the domain in the image: in ten bands
+    EXPECT_NEAR(more, 0.25 * 10.0, 0.1 * 10.0);
     for (const char* name : {"exit.X", "depth.G", "steps", "optical_length", "throughput.B"}) {
         EXPECT_EQ(dispersed.channel(name).values, plain.channel(name).values) << name << " is the reference wavelength's";
     }

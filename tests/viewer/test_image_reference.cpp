@@ -209,6 +209,12 @@ TEST(ImageReference, AgreesOnEachEffectAlone) {
 
 TEST(ImageReference, AgreesOnDispersingGlassInSmoke) {
     expectAgreement(dispersing(glassInSmoke(), 3), kRounding);
+    Setting uneven = dispersing(glassInSmoke(), 3);  // B in no proportion to n - 1: from a texture of its own
+    test::forEachVoxel(uneven.fields.lattice, [&](const glm::ivec3& v) {
+        uneven.fields.cauchyB.at(v) *= float(1.0 + 0.5 * uneven.fields.lattice.worldFromIndex(v).x);
+    });
+    uneven.fields.cauchyGradient = gradientOf(uneven.fields.cauchyB, uneven.fields.lattice.voxel);
+    expectAgreement(uneven, kRounding);
     Setting byBands = dispersing(glassInSmoke(), 4);
     byBands.light = byBand(byBands.light, 4);
     expectAgreement(byBands, kRounding);

@@ -25,6 +25,7 @@ std::vector<KernelVariant> variants() {
     all.push_back("EFFECT_DISPERSION");
     subsets.push_back(all);
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION"});  // never without refraction
+    subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "DISPERSION_BY_REFRACTIVITY"});
     rows.push_back({"viewer/accumulate.comp.glsl", {"EFFECT_REFRACTION", "EFFECT_DISPERSION"}});
     for (const auto& subset : subsets) {
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
