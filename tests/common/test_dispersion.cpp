@@ -31,7 +31,7 @@ TEST(Dispersion, LaterObjectsWin) {
                                    "[[object]]\nradius = 0.8\nior = 1.7\ncauchy_b = 0.05\n"
                                    "[[object]]\nradius = 0.2\nior = 1.3\n");
     const auto at = [&](int i) { return fields.cauchyB.at(i, 12, 12); };
-    EXPECT_FLOAT_EQ(at(0), 0.02f);
+    EXPECT_FLOAT_EQ(fields.cauchyB.at(0, 0, 0), 0.02f);
     EXPECT_NEAR(at(6), 0.05, 0.03 * 0.05);  // 3 and 4 voxels from boundaries smoothed by 1.5: 2 % and 0.3 % of each
     EXPECT_LT(at(12), 0.2f * 0.05f);        // 1.5 voxels inside the last: 16 % of what was there before
 }

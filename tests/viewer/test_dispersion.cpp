@@ -104,8 +104,9 @@ TEST(DispersedImage, OnlyRaysThatMeetDispersionAreFollowedByBand) {
     fields.cauchyB = {};
     const RenderResult plain = rendered(scene, fields);
     const double more = double(dispersed.statistics.fieldEvaluations) / double(plain.statistics.fieldEvaluations) - 1.0;
-    // the sphere and the tails of its boundary, to a radius of 0.56, cover a quarter of the domain in the image: in ten bands
-    EXPECT_NEAR(more, 0.25 * 10.0, 0.1 * 10.0);
+    // The tails of the sphere's boundary are above the rounding of n to a radius of 0.55, and differences reach three
+    // voxels farther: of the image, which the domain fills, a third. In ten bands.
+    EXPECT_NEAR(more, 0.33 * 10.0, 0.1 * 10.0);
     for (const char* name : {"exit.X", "depth.G", "steps", "optical_length", "throughput.B"}) {
         EXPECT_EQ(dispersed.channel(name).values, plain.channel(name).values) << name << " is the reference wavelength's";
     }
