@@ -46,7 +46,8 @@ gpu::Texture3D colourTexture(const gpu::Context& context, const DenseGrid<glm::v
 }
 
 GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects)
-    : cauchyOverRefractivity_(cauchyOverRefractivity(fields)), block_(domainBlock(fields)), domain_(context, sizeof block_, "domain"), defines_(effects.defines()) {
+    : cauchyOverRefractivity_(cauchyOverRefractivity(fields)), block_(domainBlock(fields)),
+      domain_(context, sizeof block_, "domain"), defines_(effects.defines()) {
     domain_.upload(block_);
     if (!context.limits().exactLinearFiltering) defines_.push_back("MANUAL_FILTERING");
     const auto add = [&](Effect effect, int unit, std::string_view label, const DenseGrid<glm::vec3>& grid,

@@ -49,7 +49,8 @@ TEST_P(Picture, LooksLikeTheGallery) {
     std::vector<std::string> arguments = shippedScene(GetParam(), folder);
     arguments.insert(arguments.begin(), "render");
     const std::string size = std::to_string(gallery.size.x) + "x" + std::to_string(gallery.size.y);
-    arguments.insert(arguments.end(), {"--size", size, "-o", folder.file("picture.png")});
+    // A pixel here is sixteen of the gallery's, each of two samples and more.
+    arguments.insert(arguments.end(), {"--size", size, "--samples", "8", "-o", folder.file("picture.png")});
     const RunResult result = runEikonal(arguments);
     ASSERT_EQ(result.exitCode, 0) << result.err;
 
