@@ -5,11 +5,12 @@
 #include <functional>
 
 #include "common/fields.h"
+#include "shaders/shared/brick.h"
 
 namespace eikonal {
 
 /// Edge of a brick [voxels]. Bricks at the upper faces may be cut.
-inline constexpr int kBrickVoxels = 4;
+inline constexpr int kBrickVoxels = gpu::kBrickVoxels;
 
 /// What trilinear interpolation finds at any point of a brick: bounds over its voxels and one more all round.
 struct FieldBrick {

@@ -11,6 +11,7 @@ namespace eikonal::viewer {
 struct RayCounts {
     std::uint64_t entered = 0;      ///< rays that entered the domain
     std::uint64_t evaluations = 0;  ///< of the index field
+    std::uint64_t lookUps = 0;      ///< of the clearance ahead
 };
 
 class Accumulate {

@@ -10,7 +10,8 @@ namespace eikonal::viewer {
 namespace {
 
 // Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included.
-constexpr std::uint32_t kIterationsPerDispatch = 4096;
+constexpr std::uint32_t kIterationsPerDispatch = 16384;
+constexpr std::uint32_t kIterationsPerFlight = 16;  // kSamplesPerFlight of shaders/viewer/flight.glsl
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
 
@@ -43,7 +44,7 @@ March::March(const gpu::Context& context, const std::vector<std::string>& define
     : samplesPerHalf_(samplesPerHalfOf(checkedStep(settings.stepVoxels))),
       maxEvaluations_(evaluationLimit(settings, lattice)),
       stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
-                                                : kIterationsPerDispatch / (1 + 2 * samplesPerHalf_)),
+                                                : kIterationsPerDispatch / (1 + std::max(kIterationsPerFlight, 2 * samplesPerHalf_))),
       stepLength_(settings.stepVoxels * lattice.voxel),
       kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)) {}
 
@@ -60,7 +61,7 @@ void March::run(const RayBatch& batch) const {
 
 bool March::runSlice(const RayBatch& batch, std::uint32_t slice) const {
     kernel_.dispatch(batch.groups());
-    // Every step of a ray that goes on is an evaluation.
+    // Every step of a ray that goes on is an evaluation or a look-up.
     return (std::uint64_t(slice) + 1) * stepsPerSlice_ < maxEvaluations_;
 }
 

@@ -12,6 +12,7 @@
 #include "common/gpu_fields.h"
 #include "common/image_io.h"
 #include "viewer/accumulate.h"
+#include "viewer/clearance.h"
 #include "viewer/environment.h"
 #include "viewer/generate.h"
 #include "viewer/light.h"
@@ -36,11 +37,20 @@ void append(std::vector<Row>& rows, const std::vector<Row>& more) {
     rows.insert(rows.end(), more.begin(), more.end());
 }
 
+std::optional<viewer::Clearance> clearanceOf(const gpu::Context& context, const Scene& scene, const Fields& fields,
+                                             const EffectSet& effects, const BakedLight* bake,
+                                             const RenderOptions& options) {
+    if (!options.straightFlights) return std::nullopt;
+    return viewer::Clearance(context, fields, effects,
+                             {.tolerance = scene.accuracy.tolerance, .lit = bake != nullptr});
+}
+
 /// All that stays on the device while an image is made.
 struct Pipeline {
     GpuFields fields;
     viewer::EnvironmentLight environment;
     viewer::Light light;
+    std::optional<viewer::Clearance> clearance;
     std::vector<std::string> defines;
     viewer::RayBatch batch;
     viewer::Generate generate;
@@ -56,7 +66,8 @@ struct Pipeline {
           environment(context, scene.environment, map,
                       effects.has(Effect::kOpaque) && effects.has(Effect::kEnvironment) &&
                           !(bake && scene.environment.bake)),
-          light(context, bake), defines(fields.defines()), batch(context, capacity),
+          light(context, bake),
+          clearance(clearanceOf(context, scene, sceneFields, effects, bake, options)), defines(fields.defines()), batch(context, capacity),
           generate(context, fields.defines(), viewer::Generate::Source::kCamera),
           march(context, allDefines(),
                 {stepVoxelsOf(scene.accuracy), options.maxEvaluations, options.stepsPerSlice},
@@ -66,12 +77,14 @@ struct Pipeline {
     const std::vector<std::string>& allDefines() {
         append(defines, environment.defines());
         append(defines, light.defines());
+        if (clearance) append(defines, clearance->defines());
         return defines;
     }
     std::vector<std::pair<std::string, std::size_t>> textures() const {
         auto rows = fields.textures();
         append(rows, light.textures());
         append(rows, environment.textures());
+        if (clearance) append(rows, clearance->textures());
         return rows;
     }
 };
@@ -89,6 +102,10 @@ void configure(Pipeline& pipeline, const Scene& scene, const Fields& fields, con
     pipeline.fields.bind();
     pipeline.light.bind();
     pipeline.environment.bind();
+    if (pipeline.clearance) {
+        pipeline.clearance->configure(view);
+        pipeline.clearance->bind();
+    }
 }
 
 void renderSample(Pipeline& pipeline, const Tile& tile, int sample, viewer::PixelFilter filter) {
@@ -135,7 +152,8 @@ void count(const Pipeline& pipeline, const gpu::Context& context, std::size_t ca
     const viewer::RayCounts counts = pipeline.accumulate.counts();
     RenderStatistics& statistics = result.statistics;
     statistics.fieldEvaluations = counts.evaluations;
-    statistics.steps = counts.evaluations - counts.entered;
+    statistics.clearanceLookUps = counts.lookUps;
+    statistics.steps = counts.evaluations - counts.entered + counts.lookUps;
     statistics.textures = pipeline.textures();
     statistics.device = context.rendererName();
     statistics.memoryBytes = capacity * (sizeof(gpu::RayState) + sizeof(gpu::FilmPixel) + sizeof(glm::vec4));

@@ -17,7 +17,8 @@ namespace eikonal {
 /// What the scene does not say. Image size, samples, exposure, tone curve and step come from the scene.
 struct RenderOptions {
     viewer::PixelFilter filter = viewer::PixelFilter::kBox;
-    std::uint32_t maxEvaluations = 0;     ///< of the index field by ray; 0: from the domain's size
+    bool straightFlights = true;          ///< false: steps through everything, for comparison
+    std::uint32_t maxEvaluations = 0;     ///< of the index field and look-ups by ray; 0: from the domain's size
     std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes
     std::size_t tileRays = 1u << 17;      ///< rays under way at a time: bounds the memory
     double minThroughput = 1e-5;          ///< a ray of which less is left ends
@@ -33,8 +34,9 @@ struct RenderChannel {
 struct RenderStatistics {
     std::vector<std::pair<std::string, double>> seconds;  ///< by stage, the last one "total"
     std::uint64_t rays = 0;
-    std::uint64_t steps = 0;
+    std::uint64_t steps = 0;                              ///< evaluations after the first of each ray, and look-ups
     std::uint64_t fieldEvaluations = 0;                   ///< of the index field
+    std::uint64_t clearanceLookUps = 0;                   ///< how far the next straight flight may go
     std::vector<std::pair<std::string, std::size_t>> textures;
     std::size_t memoryBytes = 0;                          ///< textures and buffers on the device
     std::string device;

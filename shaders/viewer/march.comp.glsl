@@ -1,5 +1,5 @@
-// Viewing rays through the domain, a slice of their steps: drift, kick, drift by arc length (physics/ray.glsl). The last
-// step is cut at the face. Rays that have ended return at once.
+// Viewing rays through the domain, a slice of their steps: a straight flight where nothing bends them, else drift, kick,
+// drift by arc length (physics/ray.glsl). The last step is cut at the face. Rays that have ended return at once.
 #include "viewer/ray_states.glsl"
 #include "fields/fields.glsl"
 #include "physics/ray.glsl"
@@ -17,6 +17,7 @@ struct Step {
 };
 
 #include "viewer/opaque_hit.glsl"
+#include "viewer/flight.glsl"
 
 bool outside(vec3 x) {
     return any(lessThan(x, domainMin)) || any(greaterThan(x, domainMax));
@@ -54,6 +55,7 @@ float drift(inout RayState ray, float ds) {
 vec3 kick(inout RayState ray, float ds) {
     Optics optics = sampleOptics(ray.x);
     ray.evaluations += 1u;
+    noteBend(ray, optics.gradN, ds);
 #ifdef EFFECT_REFRACTION
     vec3 wMiddle = kickByLength(Ray(ray.x, ray.w), optics.gradN, 0.5 * ds).w;
     ray.w = kickByLength(Ray(ray.x, ray.w), optics.gradN, ds).w;
@@ -113,7 +115,7 @@ void endRay(inout RayState ray) {
     if (ray.status == kMarching && max(left.r, max(left.g, left.b)) < minThroughput) {
         ray.status = kAttenuated;
     }
-    if (ray.status == kMarching && ray.evaluations >= maxEvaluations) {
+    if (ray.status == kMarching && ray.evaluations + ray.lookUps >= maxEvaluations) {
         ray.status = kStepLimit;
     }
 }
@@ -126,9 +128,11 @@ void main() {
     RayState ray = rays[index];
     stopInsideOpaque(ray);
     for (uint i = 0u; i < stepsPerSlice && ray.status == kMarching; ++i) {
-        Step taken = takeStep(ray);
-        cutAtOpaque(ray, taken);
-        passStep(ray, taken);
+        if (!fliesStraight(ray)) {
+            Step taken = takeStep(ray);
+            cutAtOpaque(ray, taken);
+            passStep(ray, taken);
+        }
         endRay(ray);
     }
     rays[index] = ray;

@@ -18,7 +18,8 @@ test::Members rayStateMembers() {
         EIKONAL_MEMBER(gpu::RayState, crossingStart), EIKONAL_MEMBER(gpu::RayState, crossingWTangential),
         EIKONAL_MEMBER(gpu::RayState, crossingSide), EIKONAL_MEMBER(gpu::RayState, n),
         EIKONAL_MEMBER(gpu::RayState, nCamera), EIKONAL_MEMBER(gpu::RayState, entryDistance),
-        EIKONAL_MEMBER(gpu::RayState, pad)
+        EIKONAL_MEMBER(gpu::RayState, lookUps), EIKONAL_MEMBER(gpu::RayState, lookAgainAt),
+        EIKONAL_MEMBER(gpu::RayState, pad0), EIKONAL_MEMBER(gpu::RayState, pad1), EIKONAL_MEMBER(gpu::RayState, pad2)
     };
 }
 
@@ -37,6 +38,8 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, sampleIndex),
         EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, viewPad),
         {"ambient[0]", offsetof(gpu::ViewBlock, ambient)},
+        EIKONAL_MEMBER(gpu::ViewBlock, contentMin), EIKONAL_MEMBER(gpu::ViewBlock, negligibleGradient),
+        EIKONAL_MEMBER(gpu::ViewBlock, contentMax), EIKONAL_MEMBER(gpu::ViewBlock, contentPad),
     };
 }
 
