@@ -2,17 +2,20 @@
 
 namespace eikonal::viewer {
 
-Accumulate::Accumulate(const gpu::Context& context, std::size_t capacity)
-    : kernel_(context, "viewer/accumulate.comp.glsl", {}),
-      film_(context, capacity * sizeof(gpu::FilmPixel), "film"),
+Accumulate::Accumulate(const gpu::Context& context)
+    : kernel_(context, "viewer/accumulate.comp.glsl", {}), film_(context, 0, "film"),
       counters_(context, 4 * sizeof(std::uint32_t), "ray counts") {
     counters_.fill(0);
 }
 
-void Accumulate::run(const RayBatch& batch) const {
+void Accumulate::reserve(const gpu::Context& context, std::size_t pixels) {
+    const std::size_t bytes = pixels * sizeof(gpu::FilmPixel);
+    if (film_.bytes() < bytes) film_ = gpu::Buffer(context, bytes, "film");
+}
+
+void Accumulate::bind() const {
     film_.bindStorage(gpu::kStorageFilm);
     counters_.bindStorage(gpu::kStorageCounters);
-    kernel_.dispatch(batch.groups());
 }
 
 RayCounts Accumulate::counts() const {

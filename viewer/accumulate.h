@@ -1,5 +1,5 @@
 #pragma once
-// Fourth step: samples into the film of a tile, and counts.
+// Fourth step: samples into the film, and counts.
 
 #include <cstdint>
 
@@ -15,12 +15,16 @@ struct RayCounts {
 
 class Accumulate {
 public:
-    Accumulate(const gpu::Context& context, std::size_t capacity);
+    explicit Accumulate(const gpu::Context& context);
 
-    void run(const RayBatch& batch) const;
-    /// The film of a tile of that many pixels.
+    /// Room for that many pixels at least. What the film held may be gone.
+    void reserve(const gpu::Context& context, std::size_t pixels);
+    void bind() const;
+    void run(const RayBatch& batch) const { kernel_.dispatch(batch.groups()); }
+    /// The first pixels of the film.
     std::vector<gpu::FilmPixel> film(std::size_t pixels) const { return film_.download<gpu::FilmPixel>(pixels); }
     RayCounts counts() const;
+    std::size_t filmBytes() const { return film_.bytes(); }
 
 private:
     gpu::Kernel kernel_;

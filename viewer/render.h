@@ -1,28 +1,18 @@
 #pragma once
 // An image of a scene without a window: generate, march, shade, accumulate, tone-map.
 
-#include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "common/baked_light.h"
 #include "common/effects.h"
 #include "common/gpu/context.h"
-#include "viewer/march.h"
-#include "viewer/view.h"
+#include "viewer/image.h"
+#include "viewer/render_options.h"
 
 namespace eikonal {
-
-/// What the scene does not say. Image size, samples, exposure, tone curve and step come from the scene.
-struct RenderOptions {
-    viewer::PixelFilter filter = viewer::PixelFilter::kBox;
-    std::uint32_t maxEvaluations = 0;     ///< of the index field by ray; 0: from the domain's size
-    std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes
-    std::size_t tileRays = 1u << 17;      ///< rays under way at a time: bounds the memory
-    double minThroughput = 1e-5;          ///< a ray of which less is left ends
-    std::function<void(double)> progress; ///< called with the fraction done; may throw to stop
-};
 
 /// One channel of the image, row after row from the top.
 struct RenderChannel {
@@ -57,5 +47,8 @@ struct RenderResult {
 /// for grids beyond the device.
 RenderResult renderScene(const gpu::Context& context, const Scene& scene, const Fields& fields,
                          const EffectSet& effects, const BakedLight* bake, const RenderOptions& options = {});
+
+/// The channels and the display of an image whose region is its whole frame, without statistics.
+RenderResult readImage(ProgressiveImage& image);
 
 } // namespace eikonal

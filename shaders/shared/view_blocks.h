@@ -67,7 +67,7 @@ struct GivenRay {
 };
 
 struct FilmPixel {
-    vec3 radiance;       // sum over samples
+    vec3 radiance;       // mean over the samples so far
     float steps;         // of the ray through the pixel's centre, like all that follows
     vec3 exitDirection;
     float entryDistance;
@@ -104,8 +104,8 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
     vec2 subPixel;            // sample position within each pixel, 0 to 1
     float exposureScale;
     uint sampleIndex;
-    float sampleWeight;       // 1 / samples
-    float viewPad;
+    float sampleWeight;       // of this sample in the mean of those so far
+    uint filmStart;           // pixels of the film before the tile's
     vec4 ambient[6];          // cosine-weighted mean radiance about +X, -X, +Y, -Y, +Z, -Z
 };
 

@@ -18,7 +18,7 @@ void addToCounter(int counter, uint value) {
 }
 
 void develop(uint index, RayState ray) {
-    FilmPixel pixel = film[index];
+    FilmPixel pixel = film[filmStart + index];
     if (sampleIndex == 0u) {
         pixel.radiance = vec3(0.0);
         pixel.exitDirection = unitDirection(ray);
@@ -28,8 +28,8 @@ void develop(uint index, RayState ray) {
         pixel.throughput = rayThroughput(ray);
         pixel.opticalLength = ray.opticalLength;
     }
-    pixel.radiance += sampleWeight * ray.radiance;
-    film[index] = pixel;
+    pixel.radiance += sampleWeight * (ray.radiance - pixel.radiance);
+    film[filmStart + index] = pixel;
 }
 
 void main() {
