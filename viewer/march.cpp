@@ -46,7 +46,9 @@ March::March(const gpu::Context& context, const std::vector<std::string>& define
       stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
                                                 : kIterationsPerDispatch / (1 + std::max(kIterationsPerFlight, 2 * samplesPerHalf_))),
       stepLength_(settings.stepVoxels * lattice.voxel),
-      kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)) {}
+      kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)),
+      groups_{gpu::Buffer(context, sizeof(glm::uvec3), "march groups"),
+              gpu::Buffer(context, sizeof(glm::uvec3), "march groups")} {}
 
 void March::configure(gpu::ViewBlock& view) const {
     view.stepLength = float(stepLength_);
@@ -54,13 +56,20 @@ void March::configure(gpu::ViewBlock& view) const {
     view.stepsPerSlice = stepsPerSlice_;
 }
 
-void March::run(const RayBatch& batch) const {
+void March::run(const RayBatch& batch) {
     for (std::uint32_t slice = 0; runSlice(batch, slice); ++slice) {
     }
 }
 
-bool March::runSlice(const RayBatch& batch, std::uint32_t slice) const {
-    kernel_.dispatch(batch.groups());
+bool March::runSlice(const RayBatch& batch, std::uint32_t slice) {
+    gpu::Buffer& next = groups_[(slice + 1) % 2];
+    next.upload(glm::uvec3(0, 1, 1));
+    next.bindStorage(gpu::kStorageMarchGroups);
+    if (slice == 0) {
+        kernel_.dispatch(batch.groups());
+    } else {
+        kernel_.dispatchIndirect(groups_[slice % 2], 0);
+    }
     // Every step of a ray that goes on is an evaluation or a look-up.
     return (std::uint64_t(slice) + 1) * stepsPerSlice_ < maxEvaluations_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Second step: rays through the domain, in slices of bounded length.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,9 +26,9 @@ public:
     /// Sets what the kernel reads of the settings.
     void configure(gpu::ViewBlock& view) const;
     /// Follows all rays to their ends.
-    void run(const RayBatch& batch) const;
-    /// Follows all rays by one slice; returns false when none can be under way any more.
-    bool runSlice(const RayBatch& batch, std::uint32_t slice) const;
+    void run(const RayBatch& batch);
+    /// Follows all rays by one slice, the first being 0; returns false when none can be under way any more.
+    bool runSlice(const RayBatch& batch, std::uint32_t slice);
 
 private:
     std::uint32_t samplesPerHalf_;
@@ -35,6 +36,7 @@ private:
     std::uint32_t stepsPerSlice_;
     double stepLength_;
     gpu::Kernel kernel_;
+    std::array<gpu::Buffer, 2> groups_;  ///< of this slice and the next, which ones in turn
 };
 
 } // namespace eikonal::viewer

@@ -9,7 +9,7 @@ layout(binding = kUnitClearance) uniform sampler3D clearanceGrid;
 // How far ahead [scene units] the ray's surroundings are alike.
 struct Clearance {
     bool straight;  // nothing bends or stops the ray; else something may
-    float length;   // of which that holds
+    float reach;    // of which that holds
     float even;     // nor do matter or its light change; 0: they may
 };
 
@@ -65,7 +65,7 @@ float passAhead(inout RayState ray, vec3 direction, float ds, float even) {
 void fly(inout RayState ray, vec3 direction, Clearance ahead) {
     float toFace = distanceToExit(ray.x, direction, domainMin, domainMax);
     float beyond = kBeyondBrick * domainVoxel;
-    float went = passAhead(ray, direction, min(ahead.length + beyond, toFace),
+    float went = passAhead(ray, direction, min(ahead.reach + beyond, toFace),
                            ahead.even > 0.0 ? ahead.even + beyond : 0.0);
     ray.x = clamp(ray.x + direction * went, domainMin, domainMax);
     ray.pathLength += went;
@@ -73,21 +73,26 @@ void fly(inout RayState ray, vec3 direction, Clearance ahead) {
     ray.status = went >= toFace ? kExited : kMarching;
 }
 
-// Takes a flight if there is room for one. A ray does not look about where it has just been bent, is crossing a boundary,
-// or knows already that it may be.
-bool fliesStraight(inout RayState ray) {
-    if (ray.pathLength < ray.lookAgainAt || ray.crossingGradMax > 0.0) {
-        return false;
+// Whether it is worth looking about: not where the ray has just been bent, is crossing a boundary, or knows already that it
+// may be bent.
+bool looksAhead(RayState ray) {
+    return ray.pathLength >= ray.lookAgainAt && ray.crossingGradMax == 0.0;
+}
+
+// Flights, at most `left` of them, until the ray is where it must step.
+void flyAhead(inout RayState ray, inout uint left) {
+    while (left > 0u && ray.status == kMarching && looksAhead(ray)) {
+        vec3 direction = unitDirection(ray);
+        Clearance ahead = clearanceAhead(ray.x, direction);
+        ray.lookUps += 1u;
+        if (ahead.straight) {
+            fly(ray, direction, ahead);
+            left -= 1u;
+        } else {
+            ray.lookAgainAt = ray.pathLength + ahead.reach + kBeyondBrick * domainVoxel;
+        }
+        endRay(ray);
     }
-    vec3 direction = unitDirection(ray);
-    Clearance ahead = clearanceAhead(ray.x, direction);
-    ray.lookUps += 1u;
-    if (ahead.straight) {
-        fly(ray, direction, ahead);
-    } else {
-        ray.lookAgainAt = ray.pathLength + ahead.length;
-    }
-    return ahead.straight;
 }
 
 // After an evaluation in the middle of a step of length ds: where the index varies, the step's end is no place to look.
@@ -99,10 +104,11 @@ void noteBend(inout RayState ray, vec3 gradN, float ds) {
 
 #else
 
-bool fliesStraight(inout RayState ray) {
+bool looksAhead(RayState ray) {
     return false;
 }
 
+void flyAhead(inout RayState ray, inout uint left) {}
 void noteBend(inout RayState ray, vec3 gradN, float ds) {}
 
 #endif

@@ -32,6 +32,7 @@ RayState rayAt(vec3 origin, vec3 direction) {
     ray.entryDistance = uintBitsToFloat(0x7f800000u);
     ray.lookUps = 0u;
     ray.lookAgainAt = 0.0;
+    ray.matterSamples = 0u;
     return ray;
 }
 

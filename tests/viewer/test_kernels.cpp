@@ -21,6 +21,8 @@ std::vector<KernelVariant> variants() {
                                        {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_REINHARD"}},
                                        {"gpu/linear_filtering.comp.glsl", {}}};
+    rows.push_back({"bench/dependent_fetch.comp.glsl", {"EFFECT_REFRACTION"}});
+    rows.push_back({"bench/dependent_fetch.comp.glsl", {"EFFECT_REFRACTION", "MANUAL_FILTERING"}});
     for (const auto& subset : test::tellingSubsets(switches)) {
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 2"}));

@@ -1,0 +1,17 @@
+#include "tools/command_bench.h"
+
+#include <CLI/CLI.hpp>
+
+#include "tools/bench/bench_effects.h"
+#include "tools/bench/bench_speed.h"
+
+namespace eikonal {
+
+void addBenchCommand(CLI::App& program, const ProgramOptions& options) {
+    CLI::App* command = program.add_subcommand("bench", "measurements of this program on this machine");
+    command->require_subcommand(1);
+    addBenchSpeed(*command, options);
+    addBenchEffects(*command, options);
+}
+
+} // namespace eikonal
