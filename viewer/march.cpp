@@ -9,8 +9,9 @@ namespace eikonal::viewer {
 
 namespace {
 
-// Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included.
-constexpr std::uint32_t kIterationsPerDispatch = 16384;
+// Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included; a vector of
+// eight rays has one count, and in the worst case they take their turns one after the other.
+constexpr std::uint32_t kIterationsPerDispatch = 65535 / 8;
 constexpr std::uint32_t kIterationsPerFlight = 16;  // kSamplesPerFlight of shaders/viewer/flight.glsl
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
@@ -32,6 +33,11 @@ std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& latt
     return std::max(kLeastEvaluations, std::uint32_t(std::min(kDiagonals * diagonalSteps, 1e9)));
 }
 
+std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::uint32_t samplesPerHalf) {
+    const bool flies = std::find(defines.begin(), defines.end(), "STRAIGHT_FLIGHTS") != defines.end();
+    return 1 + std::max(flies ? kIterationsPerFlight : 0u, 2 * samplesPerHalf);
+}
+
 std::vector<std::string> withSamples(std::vector<std::string> defines, std::uint32_t samplesPerHalf) {
     defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalf));
     return defines;
@@ -44,7 +50,7 @@ March::March(const gpu::Context& context, const std::vector<std::string>& define
     : samplesPerHalf_(samplesPerHalfOf(checkedStep(settings.stepVoxels))),
       maxEvaluations_(evaluationLimit(settings, lattice)),
       stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
-                                                : kIterationsPerDispatch / (1 + std::max(kIterationsPerFlight, 2 * samplesPerHalf_))),
+                                                : kIterationsPerDispatch / iterationsPerStep(defines, samplesPerHalf_)),
       stepLength_(settings.stepVoxels * lattice.voxel),
       kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)),
       groups_{gpu::Buffer(context, sizeof(glm::uvec3), "march groups"),

@@ -6,8 +6,8 @@ bool outside(vec3 x) {
 
 // Whether a step from x stays inside, whatever its direction.
 bool farFromFaces(vec3 x) {
-    float reach = 1.001 * stepLength;
-    return !(any(lessThan(x, domainMin + reach)) || any(greaterThan(x, domainMax - reach)));
+    vec3 room = min(x - domainMin, domainMax - x);
+    return min(room.x, min(room.y, room.z)) > 1.001 * stepLength;
 }
 
 float distanceToFace(RayState ray) {

@@ -2,7 +2,8 @@
 // drift by arc length (physics/ray.glsl). Rays that have ended return at once.
 //
 // A vector of rays pays for every line between two turns of a loop, whether or not one of them takes that branch. So the
-// innermost loop holds what every step needs; whatever happens now and then ends it and is dealt with outside.
+// innermost loop holds what every step needs; whatever happens now and then ends it and is dealt with outside. And a loop runs
+// until all rays of the vector have left it: rays fly, come away from the faces, and step, each all together.
 #include "viewer/ray_states.glsl"
 #include "fields/fields.glsl"
 #include "physics/ray.glsl"
@@ -140,6 +141,15 @@ void finishStep(inout RayState ray, Step taken) {
     endRay(ray);
 }
 
+// Steps while a face is near.
+void stepNearFaces(inout RayState ray, inout uint left) {
+    while (left > 0u && ray.status == kMarching && !farFromFaces(ray.x) && !looksAhead(ray)) {
+        Step taken = outerStep(ray);
+        finishStep(ray, taken);
+        left -= 1u;
+    }
+}
+
 // What marching changes: the rest of a state is neither read nor written.
 void storeRay(uint index, RayState ray) {
     rays[index].x = ray.x;
@@ -182,15 +192,10 @@ void main() {
     uint left = stepsPerSlice;
     while (left > 0u && ray.status == kMarching) {
         flyAhead(ray, left);
-        Step taken;
-        bool open = stepAlong(ray, taken, left);
-        if (!open && left > 0u && ray.status == kMarching && !looksAhead(ray)) {
-            taken = outerStep(ray);
-            open = true;
-            left -= 1u;
-        }
-        if (open) {
-            finishStep(ray, taken);
+        stepNearFaces(ray, left);
+        Step eventful;
+        if (stepAlong(ray, eventful, left)) {
+            finishStep(ray, eventful);
         }
     }
     storeRay(index, ray);

@@ -18,7 +18,7 @@ vec3 pointOfStep(Step taken, float share) {
 float shareOfHit(Step taken, float solidShare) {
     float free = 0.0;
     float solid = solidShare;
-    for (int i = 0; i < kBisections; ++i) {
+    for (int i = 0; i < kBisections && solidShare > 0.0; ++i) {
         float middle = 0.5 * (free + solid);
         if (isSolid(pointOfStep(taken, middle))) {
             solid = middle;

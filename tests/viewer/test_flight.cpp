@@ -91,7 +91,7 @@ TEST(Flight, OpaqueMatterIsMetWhereItIs) {
     scene.camera.lookAt = {0.0, -0.2, 0.0};
     const Comparison image = compared(scene, fields);
     EXPECT_LE(image.rms(), 1e-3);
-    EXPECT_GE(image.stepsSaved(), 2.5);
+    EXPECT_GE(image.stepsSaved(), 1.5);  // half the rays end on the floor, and step towards it
 }
 
 TEST(Flight, MatterInsideGlassIsAttenuatedExactly) {
