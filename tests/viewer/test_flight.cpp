@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/scene_toml.h"
 #include "tests/support/synthetic_fields.h"
 #include "viewer/render.h"
 #include "viewer/trace.h"
@@ -56,6 +57,15 @@ TEST(Flight, RefractionLooksTheSameWithAFractionOfTheSteps) {
     EXPECT_GE(image.stepsSaved(), 4.0);
     EXPECT_GT(image.flown.statistics.clearanceLookUps, 0u);
     EXPECT_EQ(image.stepped.statistics.clearanceLookUps, 0u);
+}
+
+TEST(Flight, MuseumTakesAQuarterOfTheSteps) {
+    Scene scene = loadScene(std::string(EIKONAL_SCENES) + "/museum.toml", {"domain.resolution=96", "render.size=[96, 40]"});
+    scene.environment.image.reset();
+    scene.render.samples = 1;
+    const Comparison image = compared(scene, composeFields(scene));
+    EXPECT_LE(image.rms(), 1e-3);
+    EXPECT_GE(image.stepsSaved(), 4.0);
 }
 
 TEST(Flight, EvenMatterIsPassedInOnePiece) {
