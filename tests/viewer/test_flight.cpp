@@ -60,7 +60,7 @@ TEST(Flight, RefractionLooksTheSameWithAFractionOfTheSteps) {
 }
 
 TEST(Flight, MuseumTakesAQuarterOfTheSteps) {
-    Scene scene = loadScene(std::string(EIKONAL_SCENES) + "/museum.toml", {"domain.resolution=96", "render.size=[96, 40]"});
+    Scene scene = loadScene(std::string(EIKONAL_SCENES) + "/museum.toml", {"render.size=[96, 40]"});
     scene.environment.image.reset();
     scene.render.samples = 1;
     const Comparison image = compared(scene, composeFields(scene));
