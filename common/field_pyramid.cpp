@@ -65,7 +65,7 @@ void boundMatter(const Fields& fields, const VoxelRange& reach, FieldBrick& bric
     brick.opaque = anyIn(fields.opaque, reach, [](float coverage) { return coverage > 0.0f; });
 }
 
-/// Along one axis: max(|i - j|, distance at j), the least over all j. Chebyshev's distance is this along x, y and z in turn.
+/// Along one axis: max(|i - j|, distance at j), the least over all j. Done along x, y and z it is Chebyshev's distance.
 void spreadAlong(int axis, DenseGrid<unsigned char>& distance) {
     const int count = distance.size[axis];
     const int across = (axis + 1) % 3, along = (axis + 2) % 3;

@@ -1,6 +1,6 @@
 #pragma once
-// Where rays run straight: a coarse grid of bricks over the lattice that bounds what the fields hold, and how far a ray can go
-// from a brick before it meets something (docs/physics.md, section 1).
+// Where rays run straight: a coarse grid of bricks over the lattice that bounds what the fields hold, and how far a ray can
+// go from a brick before it meets something (docs/physics.md, section 1).
 
 #include <functional>
 
@@ -35,8 +35,8 @@ FieldPyramid fieldPyramidOf(const Fields& fields);
 double negligibleGradient(const FieldPyramid& pyramid, double tolerance);
 
 /// Distance from each brick to the nearest one that is an obstacle, in bricks along the axis on which it is largest
-/// (Chebyshev); 0 in an obstacle, 255 at most. From any point of a brick with distance d > 0 the box that reaches d - 1 bricks
-/// beyond the brick on every side is free of obstacles. What is outside the lattice is none.
+/// (Chebyshev); 0 in an obstacle, 255 at most. From any point of a brick with distance d > 0 the box that reaches d - 1
+/// bricks beyond the brick on every side is free of obstacles. What is outside the lattice is none.
 DenseGrid<unsigned char> clearanceOf(const FieldPyramid& pyramid,
                                      const std::function<bool(const FieldBrick&)>& isObstacle);
 

@@ -13,13 +13,14 @@ namespace eikonal::viewer {
 
 struct MarchSettings {
     double stepVoxels = 1.0;           ///< arc length of a step [voxels]
-    std::uint32_t maxEvaluations = 0;  ///< of the index field and look-ups, by ray; 0: eight times the domain's diagonal, at least 4096
+    std::uint32_t maxEvaluations = 0;  ///< and look-ups, by ray; 0: eight times the domain's diagonal, at least 4096
     std::uint32_t stepsPerSlice = 0;   ///< of one dispatch; 0: as many as every device finishes
 };
 
 class March {
 public:
-    /// `defines`: effects, BAKED_LIGHT, ENVIRONMENT_IMAGE, STRAIGHT_FLIGHTS, MANUAL_FILTERING. Throws badInput for a step that is not positive.
+    /// `defines`: effects, BAKED_LIGHT, ENVIRONMENT_IMAGE, STRAIGHT_FLIGHTS, MANUAL_FILTERING. Throws badInput for a step
+    /// that is not positive.
     March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
           const Lattice& lattice);
 

@@ -141,7 +141,7 @@ glm::dvec3 normalOf(const GridField& field, const glm::dvec3& x, const glm::dvec
     return magnitude > 1e-4 ? -gradient / magnitude : -direction;
 }
 
-/// Power per unit area of a surface: the flux of the bake about x, each voxel weighing by its free share, against the normal.
+/// Power per unit area of a surface: the bake's flux about x, each voxel weighing by its free share, against the normal.
 glm::dvec3 Walk::fluxOnto(const glm::dvec3& x, const glm::dvec3& normal) const {
     const BakedLight& light = *scene_.light;
     const glm::dvec3 position = (x - light.lattice.min) / light.lattice.voxel - 0.5;

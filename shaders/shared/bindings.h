@@ -14,7 +14,7 @@ const int kUnitOpaque = 5;          // albedo in rgb, coverage in alpha
 const int kUnitIrradiance = 6;      // scalar irradiance in rgb (viewer)
 const int kUnitLightDirection = 7;  // flux vector over scalar irradiance in rgb (viewer)
 const int kUnitEnvironment = 8;     // latitude-longitude radiance in rgb (viewer)
-const int kUnitClearance = 9;       // bricks to the next one that bends rays in red, in which matter varies in green (viewer)
+const int kUnitClearance = 9;       // bricks to the next that bends rays in red, with uneven matter in green (viewer)
 
 const int kUniformDomain = 0;  // DomainBlock; stages use 1 and beyond
 

@@ -73,7 +73,7 @@ struct GivenRay {
 
 struct FilmPixel {
     vec3 radiance;       // mean over the samples so far
-    float steps;         // evaluations after the first, and look-ups, of the ray through the pixel's centre, like all that follows
+    float steps;         // of the ray through the pixel's centre, like all that follows: evaluations but one, look-ups
     vec3 exitDirection;
     float entryDistance;
     vec3 depth;

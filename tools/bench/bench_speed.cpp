@@ -38,7 +38,7 @@ void runSpeed(const SpeedArguments& arguments, const ProgramOptions& options) {
     const Fields fields = composeFields(scene);
     const bench::MarchRates rates = bench::measureMarchRates(context, scene, fields, arguments.repeats);
     printRates(rates, context.rendererName());
-    note(options, fmt::format("marching reaches {:.0f} % of the rate of dependent fetches; flights need {:.1f} times fewer",
+    note(options, fmt::format("marching has {:.0f} % of the rate of dependent fetches; flights need {:.1f} times fewer",
                               100.0 * rates.stepping.perSecond() / rates.fetches.perSecond(),
                               rates.stepping.count / rates.flying.count));
 }
@@ -46,7 +46,8 @@ void runSpeed(const SpeedArguments& arguments, const ProgramOptions& options) {
 } // namespace
 
 void addBenchSpeed(CLI::App& bench, const ProgramOptions& options) {
-    CLI::App* command = bench.add_subcommand("speed", "marching with refraction only against the machine's own limit, as CSV");
+    CLI::App* command =
+        bench.add_subcommand("speed", "marching with refraction only against the machine's own limit, as CSV");
     auto arguments = std::make_shared<SpeedArguments>();
     addSceneArguments(*command, arguments->scene);
     addSizeKey(*command, arguments->scene, {"--size", "render.size", "WxH", "rays, one a pixel [the scene's]"});
