@@ -62,7 +62,7 @@ void addSamples(Family& family, const gpu::Context& context, const ImageCase& se
     }
 }
 
-/// Work is the bake's.
+/// The work is that of the bake.
 void addTolerances(Family& family, const gpu::Context& context, const ImageCase& seen, const std::vector<double>& tolerances) {
     const Radiances truth = referenceImage(seen, 1);
     for (const double tolerance : tolerances) {
@@ -82,7 +82,7 @@ void addTolerances(Family& family, const gpu::Context& context, const ImageCase&
 Family benchImage(const gpu::Context& context, const ImageBenchOptions& options) {
     Family family{"image",
                   "Image: a glass sphere in smoke against a reference in double precision",
-                  "field evaluations, of the image or of the bake",
+                  "field evaluations",
                   {{"rms", "RMS error, relative to the mean"}, {"largest", "largest error, relative to the mean"}},
                   1e-6,
                   {}};

@@ -11,7 +11,7 @@ namespace eikonal::bench {
 
 namespace {
 
-constexpr double kRadius = 0.6;
+constexpr double kRadius = 0.6, kIrradiance = 3.0;
 constexpr double kReferenceStepVoxels = 0.1;
 constexpr reference::BeamBakeOptions kBeam{.raysPerVoxelEdge = 16, .stepVoxels = 0.2};
 
@@ -26,7 +26,7 @@ Fields sphereInSmoke(int resolution) {
 
 Scene sceneOf(int pixels) {
     Scene scene;
-    scene.lights = {DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(3.0), {}}};
+    scene.lights = {DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(kIrradiance), {}}};
     scene.environment.gradient = {glm::dvec3(0.9, 0.6, 0.3), glm::dvec3(0.1, 0.3, 0.8)};
     scene.camera.position = {0.0, 0.0, 4.0};
     scene.camera.fov = 30.0;
@@ -35,11 +35,11 @@ Scene sceneOf(int pixels) {
     return scene;
 }
 
-BakedLight referenceLight(const Fields& fields, double irradiance) {
+BakedLight referenceLight(const Fields& fields) {
     const DenseGrid<glm::dvec3> unit = reference::bakeSymmetricBeam(reference::GridField(fields), fields.lattice, kBeam);
     BakedLight light{fields.lattice, {fields.lattice.size, glm::vec3(0.0f)}, {fields.lattice.size, glm::vec3(0.0f)}};
     std::transform(unit.values.begin(), unit.values.end(), light.irradiance.values.begin(),
-                   [&](const glm::dvec3& e) { return glm::vec3(irradiance * e); });
+                   [](const glm::dvec3& e) { return glm::vec3(kIrradiance * e); });
     return light;
 }
 
@@ -47,7 +47,7 @@ BakedLight referenceLight(const Fields& fields, double irradiance) {
 
 ImageCase imageCase(int pixels, int resolution) {
     Fields fields = sphereInSmoke(resolution);
-    BakedLight light = referenceLight(fields, 3.0);
+    BakedLight light = referenceLight(fields);
     return {sceneOf(pixels), std::move(fields), std::move(light)};
 }
 
@@ -63,7 +63,8 @@ Radiances referenceImage(const ImageCase& seen, int samplesPerEdge) {
     tbb::parallel_for(0, size, [&](int row) {
         for (int i = 0; i < size * samplesPerEdge * samplesPerEdge; ++i) {
             const int column = i / (samplesPerEdge * samplesPerEdge), sample = i % (samplesPerEdge * samplesPerEdge);
-            const glm::dvec2 within = (glm::dvec2(sample % samplesPerEdge, sample / samplesPerEdge) + 0.5) / double(samplesPerEdge);
+            const glm::dvec2 stratum(sample % samplesPerEdge, sample / samplesPerEdge);
+            const glm::dvec2 within = (stratum + 0.5) / double(samplesPerEdge);
             const glm::dvec2 screen = 2.0 * (glm::dvec2(column, row) + within) / double(size) - 1.0;
             const glm::dvec3 radiance =
                 reference::followRay(world, scene.camera.position, {screen.x * half, -screen.y * half, -1.0},

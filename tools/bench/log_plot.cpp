@@ -54,8 +54,10 @@ std::string lineFrom(double x0, double y0, double x1, double y1, const std::stri
     return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x0, y0, x1, y1, attributes);
 }
 
+const char* colourOf(const LogCurve& curve) { return kPalette[std::size_t(curve.colour) % kPalette.size()]; }
+
 std::string strokeOf(const LogCurve& curve) {
-    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"{}", kPalette[std::size_t(curve.colour) % kPalette.size()],
+    return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"{}", colourOf(curve),
                        curve.dashed ? " stroke-dasharray=\"4 3\"" : "");
 }
 
@@ -90,7 +92,7 @@ std::string curveOf(const LogCurve& curve, const Decades& across, const Decades&
             const double x = kPanelWidth * across.place(point.x), y = kPanelHeight * (1.0 - up.place(point.y));
             points += fmt::format("{:.1f},{:.1f} ", x, y);
             marks += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\" fill=\"{}\"/>\n", x, y,
-                                 kPalette[std::size_t(curve.colour) % kPalette.size()]);
+                                 colourOf(curve));
         }
     }
     return fmt::format("<polyline points=\"{}\" {}/>\n", points, strokeOf(curve)) + marks;

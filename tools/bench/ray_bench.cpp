@@ -1,6 +1,6 @@
 #include "tools/bench/ray_bench.h"
 
-#include <chrono>
+#include <ctime>
 
 #include <fmt/core.h>
 
@@ -11,8 +11,6 @@
 namespace eikonal::bench {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct NamedMethod {
     const char* name;
@@ -61,13 +59,13 @@ Measurement measure(const Field& field, const FieldKind& kind, const RayCase& ra
     std::vector<RayEnd> ends;
     std::uint64_t evaluations = 0;
     const double ds = stepVoxels * kReferenceVoxel;
-    const auto start = Clock::now();
+    const std::clock_t start = std::clock();  // of the processor: other work does not count
     for (const RayStart& ray : rayCase.starts) {
         const FollowedRay followed = followRay(field, method.method, ray, ds);
         ends.push_back(followed.end);
         evaluations += followed.evaluations;
     }
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     const double rays = double(ends.size());
     return {rayCase.name, kind.name, kind.resolution, method.name, settingOf(kind, stepVoxels),
             double(evaluations) / rays, seconds / rays, errorsOf(ends, rayCase.truth), kind.line};
@@ -105,7 +103,8 @@ Family benchRays(const RayBenchOptions& options) {
     for (const RayCase& rayCase : rayCases(options.rays)) {
         addCurves(family, ClosedForm{rayCase}, {"closed form", 0, Line::kDashed}, rayCase, options);
         for (const int resolution : options.resolutions) {
-            addVoxelFields(family, rayCase, resolution, resolution == options.drawnResolution ? Line::kSolid : Line::kNone, options);
+            const Line line = resolution == options.drawnResolution ? Line::kSolid : Line::kNone;
+            addVoxelFields(family, rayCase, resolution, line, options);
         }
     }
     return family;

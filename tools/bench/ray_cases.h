@@ -30,8 +30,8 @@ struct RayCase {
 /// outermost ones, where interpolation has neighbours on one side only [scene units].
 inline constexpr double kHalfBox = 1.0, kHalfLattice = 1.125;
 
-/// Luneburg from the lens's surface to its focus, fish-eye, graded rod, sech profile: exact; the smoothed sphere by the fourth-order integrator at 1/200 of the
-/// width of its boundary, below 1e-9. `rays` in each.
+/// Luneburg from the lens's surface to its focus, fish-eye, graded rod, sech profile: exact. The smoothed sphere by the
+/// fourth-order integrator at 1/200 of the width of its boundary, below 1e-9. `rays` in each.
 std::vector<RayCase> rayCases(int rays);
 
 } // namespace eikonal::bench
