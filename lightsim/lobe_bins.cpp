@@ -1,0 +1,83 @@
+#include "lightsim/lobe_bins.h"
+
+#include <algorithm>
+
+namespace eikonal::bake {
+
+namespace {
+
+// A voxel's whole light in a word's units: half of what a word with a sign holds, so that rounding cannot overflow it.
+constexpr double kUnitsOfWhole = double(1 << 30);
+
+std::size_t rowBytes(int bands) { return std::size_t(LOBE_BINS) * std::size_t(LOBE_WORDS(bands)) * sizeof(std::int32_t); }
+
+std::size_t voxelsPerLayer(const Lattice& lattice) { return std::size_t(lattice.size.x) * std::size_t(lattice.size.y); }
+
+std::size_t voxelsOfSlab(const LobeTile& tile, const Lattice& lattice) {
+    return voxelsPerLayer(lattice) * std::size_t(tile.slabEnd - tile.slabBegin);
+}
+
+DirectedLight lightOf(const std::int32_t* words, int bands) {
+    DirectedLight light;
+    for (int band = 0; band < 3; ++band) {
+        light.irradiance[band] = words[bands == 3 ? band : 0];
+    }
+    light.flux = glm::dvec3(words[bands], words[bands + 1], words[bands + 2]) * (bands == 3 ? 1.0 : 3.0);
+    return light;
+}
+
+} // namespace
+
+std::vector<LobeTile> lobeTiles(std::span<const std::uint32_t> voxels, const Lattice& lattice, int bands,
+                                std::size_t blockBytes) {
+    const std::size_t mostRows = std::max<std::size_t>(1, blockBytes / rowBytes(bands));
+    const std::size_t mostLayers = std::max<std::size_t>(1, blockBytes / (voxelsPerLayer(lattice) * sizeof(std::uint32_t)));
+    const auto layerOf = [&](std::size_t i) { return voxels[i] / voxelsPerLayer(lattice); };
+    std::vector<LobeTile> tiles;
+    for (std::size_t first = 0; first < voxels.size();) {
+        std::size_t end = std::min(first + mostRows, voxels.size());
+        while (layerOf(end - 1) - layerOf(first) >= mostLayers) {
+            --end;
+        }
+        tiles.push_back({first, end - first, int(layerOf(first)), int(layerOf(end - 1)) + 1});
+        first = end;
+    }
+    return tiles;
+}
+
+LobeBins::LobeBins(const gpu::Context& context, std::span<const std::uint32_t> voxels, std::span<const double> unitsOfVoxel,
+                   const LobeTile& tile, const Lattice& lattice, int bands)
+    : tile_(tile), bands_(bands), rows_(context, voxelsOfSlab(tile, lattice) * sizeof(std::uint32_t), "lobe rows"),
+      scales_(context, tile.count * sizeof(float), "lobe scales"), bins_(context, tile.count * rowBytes(bands), "lobe bins") {
+    std::vector<std::uint32_t> rows(voxelsOfSlab(tile, lattice), 0);
+    std::vector<float> scales(tile.count);
+    const std::size_t firstVoxel = voxelsPerLayer(lattice) * std::size_t(tile.slabBegin);
+    for (std::size_t row = 0; row < tile.count; ++row) {
+        rows[voxels[tile.first + row] - firstVoxel] = std::uint32_t(row + 1);
+        scales[row] = float(kUnitsOfWhole / unitsOfVoxel[tile.first + row]);
+    }
+    rows_.upload(std::span<const std::uint32_t>(rows));
+    scales_.upload(std::span<const float>(scales));
+    bins_.fill(0);
+}
+
+void LobeBins::bind() const {
+    rows_.bindStorage(BAKE_LOBE_ROWS_BINDING);
+    scales_.bindStorage(BAKE_LOBE_SCALES_BINDING);
+    bins_.bindStorage(BAKE_LOBE_BINS_BINDING);
+}
+
+std::vector<std::vector<DirectedLight>> LobeBins::read() const {
+    const std::size_t words = std::size_t(LOBE_WORDS(bands_));
+    const auto sums = bins_.download<std::int32_t>(tile_.count * LOBE_BINS * words);
+    std::vector<std::vector<DirectedLight>> voxels(tile_.count);
+    for (std::size_t bin = 0; bin < tile_.count * LOBE_BINS; ++bin) {
+        const DirectedLight light = lightOf(&sums[bin * words], bands_);
+        if (light.power() > 0.0) {
+            voxels[bin / LOBE_BINS].push_back(light);
+        }
+    }
+    return voxels;
+}
+
+} // namespace eikonal::bake
