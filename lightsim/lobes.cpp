@@ -12,8 +12,8 @@ namespace {
 // 1 - |F|/E, or Σ|F| lost, below which there is nothing but rounding: directions that differ by a quarter of a degree.
 constexpr double kRounding = 1e-5;
 
-// Near a source the linear change between neighbours is less than what there is within the voxel.
-constexpr double kTurningMargin = 2.0;
+// A voxel from a point source the linear change between neighbours tells less than half of what there is within the voxel.
+constexpr double kTurningMargin = 3.0;
 // Product of two neighbours' F/E below which they are opposed: more than chance makes of beams that cancel each other.
 constexpr double kOpposed = -0.1;
 
@@ -54,8 +54,20 @@ std::vector<double> depositedUnits(std::span<const std::uint32_t> voxels, const 
     return units;
 }
 
-void addRow(LobeTable& table, std::uint32_t voxel, const std::vector<DirectedLight>& lobes, const BakedLight& light) {
-    if (lobes.size() > 1) {
+/// What is scattered along a direction of travel, over the coefficient.
+double phased(const std::vector<DirectedLight>& lobes, const glm::dvec3& travel, double g) {
+    double sum = 0.0;
+    for (const DirectedLight& lobe : lobes) {
+        sum += lobe.power() * f64::phaseOfFlux(-travel, lobe.flux / lobe.power(), g);
+    }
+    return sum;
+}
+
+/// Adds a voxel's light by direction as lobes, where one does not do.
+void addRow(LobeTable& table, std::uint32_t voxel, std::vector<DirectedLight> byDirection, const LobeCriterion& criterion,
+            const BakedLight& light) {
+    const std::vector<DirectedLight> lobes = mergedLobes(std::move(byDirection), criterion.mergeTolerance(voxel));
+    if (criterion.isToBeKept(voxel, lobes)) {
         table.voxels.push_back(voxel);
         table.rows.push_back(lobesOfVoxel(lobes, light.irradiance.values[voxel], light.lightDirection.values[voxel]));
     }
@@ -111,6 +123,21 @@ std::vector<std::uint32_t> LobeCriterion::voxelsOf(const BakedLight& light) cons
     return voxels;
 }
 
+bool LobeCriterion::isToBeKept(std::size_t voxel, const std::vector<DirectedLight>& lobes) const {
+    if (lobes.size() < 2 || directional_ == Directional::kLobes) {
+        return lobes.size() > 1;
+    }
+    const double g = fields_.anisotropy.values[voxel];
+    const std::vector<DirectedLight> whole = mergedLobes(lobes, 1.0);
+    const double most = whole.front().power() * f64::henyeyGreenstein(1.0, std::abs(g));
+    const auto differs = [&](const DirectedLight& along) {
+        const double length = glm::length(along.flux);
+        const glm::dvec3 travel = length > 0.0 ? along.flux / length : glm::dvec3(1.0, 0.0, 0.0);
+        return std::abs(phased(lobes, travel, g) - phased(whole, travel, g)) > tolerance_ * most;
+    };
+    return std::any_of(lobes.begin(), lobes.end(), differs) || differs(whole.front());
+}
+
 LobeTable lobesOf(const gpu::Context& context, LightMethod& method, const LobeCriterion& criterion, const LobePlan& plan,
                   const BakedLight& light, const std::function<void(double)>& progress) {
     const std::vector<std::uint32_t> voxels = criterion.voxelsOf(light);
@@ -119,10 +146,10 @@ LobeTable lobesOf(const gpu::Context& context, LightMethod& method, const LobeCr
     for (const LobeTile& tile : lobeTiles(voxels, light.lattice, plan.bands, plan.blockBytes)) {
         const LobeBins bins(context, voxels, units, tile, light.lattice, plan.bands);
         method.propagateInto(bins, progress);
-        const auto byDirection = bins.read();
+        auto byDirection = bins.read();
         for (std::size_t row = 0; row < tile.count; ++row) {
             const std::uint32_t voxel = voxels[tile.first + row];
-            addRow(table, voxel, mergedLobes(byDirection[row], criterion.mergeTolerance(voxel)), light);
+            addRow(table, voxel, std::move(byDirection[row]), criterion, light);
         }
     }
     return table;
@@ -135,7 +162,7 @@ LobeTable summedLobes(const LobeCriterion& criterion, const std::vector<NamedLig
         for (const NamedLight& part : parts) {
             appendLobes(part.light, voxel, lobes);
         }
-        addRow(table, voxel, mergedLobes(std::move(lobes), criterion.mergeTolerance(voxel)), sum);
+        addRow(table, voxel, std::move(lobes), criterion, sum);
     }
     return table;
 }

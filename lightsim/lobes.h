@@ -17,8 +17,12 @@ class LobeCriterion {
 public:
     LobeCriterion(const Accuracy& accuracy, const Fields& fields, const EffectSet& effects);
 
-    /// Voxels whose light one direction does not stand for, ascending; none if no lobes are asked for.
+    /// Voxels whose light one direction may not stand for, ascending; none if no lobes are asked for. `auto` goes by the most
+    /// that the moments allow.
     std::vector<std::uint32_t> voxelsOf(const BakedLight& light) const;
+    /// Whether lobes are to be kept: for `auto`, if what the voxel scatters along one of them or along their mean differs from
+    /// what their mean scatters by more than the tolerance of the most that the voxel could scatter in any direction.
+    bool isToBeKept(std::size_t voxel, const std::vector<DirectedLight>& lobes) const;
     /// The share of a voxel's Σ|F| that a merger of lobes may lose. `lobes` keeps what is more than rounding; `auto` what
     /// makes a difference of more than the tolerance to what the voxel scatters forwards.
     double mergeTolerance(std::size_t voxel) const;
