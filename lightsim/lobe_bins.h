@@ -19,8 +19,7 @@ struct LobeTile {
 };
 
 /// Cuts a list of voxels, ascending, into tiles whose bins fit into a storage block of `blockBytes`.
-std::vector<LobeTile> lobeTiles(std::span<const std::uint32_t> voxels, const Lattice& lattice, int bands,
-                                std::size_t blockBytes);
+std::vector<LobeTile> lobeTiles(std::span<const std::uint32_t> voxels, const Lattice& lattice, std::size_t blockBytes);
 
 /// Sums for the voxels of a tile.
 class LobeBins : public VoxelSums {
@@ -34,12 +33,11 @@ public:
     const LobeTile& tile() const { return tile_; }
     /// Light by direction of each voxel of the tile, in any unit.
     std::vector<std::vector<DirectedLight>> read() const;
-    std::size_t bytes() const { return rows_.bytes() + scales_.bytes() + bins_.bytes(); }
 
 private:
     LobeTile tile_;
     int bands_;
-    gpu::Buffer rows_, scales_, bins_;
+    gpu::Buffer rows_, scales_, powers_, fluxes_;
 };
 
 } // namespace eikonal::bake

@@ -143,7 +143,7 @@ LobeTable lobesOf(const gpu::Context& context, LightMethod& method, const LobeCr
     const std::vector<std::uint32_t> voxels = criterion.voxelsOf(light);
     const std::vector<double> units = depositedUnits(voxels, light, plan);
     LobeTable table;
-    for (const LobeTile& tile : lobeTiles(voxels, light.lattice, plan.bands, plan.blockBytes)) {
+    for (const LobeTile& tile : lobeTiles(voxels, light.lattice, plan.blockBytes)) {
         const LobeBins bins(context, voxels, units, tile, light.lattice, plan.bands);
         method.propagateInto(bins, progress);
         auto byDirection = bins.read();

@@ -4,7 +4,8 @@
 
 layout(std430, binding = BAKE_LOBE_ROWS_BINDING) readonly buffer LobeRows { uint rowAfter[]; };  // of a voxel: row + 1, or 0
 layout(std430, binding = BAKE_LOBE_SCALES_BINDING) readonly buffer LobeScales { float rowScale[]; };  // units of a word per unit
-layout(std430, binding = BAKE_LOBE_BINS_BINDING) buffer LobeBins { int lobeBins[]; };
+layout(std430, binding = BAKE_LOBE_POWERS_BINDING) buffer LobePowers { int lobePowers[]; };  // BANDS words a bin
+layout(std430, binding = BAKE_LOBE_FLUXES_BINDING) buffer LobeFluxes { int lobeFluxes[]; };  // three words a bin
 
 // Bin of a direction of any length: the square of the octahedral map that it falls into.
 uint lobeBinOf(vec3 direction) {
@@ -18,8 +19,8 @@ uint lobeBinOf(vec3 direction) {
     return uint(square.y * LOBE_BINS_ACROSS + square.x);
 }
 
-void addShare(uint word, float share) {
-    atomicAdd(lobeBins[word], int(floor(share + 0.5)));
+int wordOf(float share) {
+    return int(floor(share + 0.5));
 }
 
 // Whether what is added at a voxel of the domain goes anywhere.
@@ -33,15 +34,15 @@ void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
         return;
     }
     uint row = rowAfter[slabIndex(voxel)] - 1u;
-    uint first = (row * uint(LOBE_BINS) + lobeBinOf(flux)) * uint(LOBE_WORDS(BANDS));
+    uint bin = row * uint(LOBE_BINS) + lobeBinOf(flux);
     vec3 powerShare = powerLength * rowScale[row];
     vec3 fluxShare = flux * rowScale[row];
-    addShare(first, powerShare.x);
+    atomicAdd(lobePowers[uint(BANDS) * bin], wordOf(powerShare.x));
 #if BANDS == 3
-    addShare(first + 1u, powerShare.y);
-    addShare(first + 2u, powerShare.z);
+    atomicAdd(lobePowers[3u * bin + 1u], wordOf(powerShare.y));
+    atomicAdd(lobePowers[3u * bin + 2u], wordOf(powerShare.z));
 #endif
-    for (int axis = 0; axis < 3; ++axis) {
-        addShare(first + uint(BANDS + axis), fluxShare[axis]);
-    }
+    atomicAdd(lobeFluxes[3u * bin], wordOf(fluxShare.x));
+    atomicAdd(lobeFluxes[3u * bin + 1u], wordOf(fluxShare.y));
+    atomicAdd(lobeFluxes[3u * bin + 2u], wordOf(fluxShare.z));
 }

@@ -24,7 +24,8 @@ using glm::vec3;
 #define BAKE_IRRADIANCE_BINDING 5  // deposit: bands at 5, 6, 7
 #define BAKE_LOBE_ROWS_BINDING 2       // deposit with LIGHT_LOBES, in place of the sums
 #define BAKE_LOBE_SCALES_BINDING 3     // likewise
-#define BAKE_LOBE_BINS_BINDING 4       // likewise
+#define BAKE_LOBE_POWERS_BINDING 4     // likewise
+#define BAKE_LOBE_FLUXES_BINDING 5     // likewise
 #define BAKE_PEAK_SUM_BINDING 2        // deposit_peak; its bands at BAKE_IRRADIANCE_BINDING
 #define BAKE_PEAK_DIRECTION_BINDING 3  // deposit_peak
 #define BAKE_SETTINGS_BINDING 1    // uniform block
@@ -58,8 +59,6 @@ using glm::vec3;
 // Bins of direction that a voxel's light is sorted into: an octahedral map of the sphere of so many squares each way.
 #define LOBE_BINS_ACROSS 8
 #define LOBE_BINS (LOBE_BINS_ACROSS * LOBE_BINS_ACROSS)
-// Words of a bin: power by band, then flux along x, y, z.
-#define LOBE_WORDS(bands) ((bands) + 3)
 
 // Passes of deposit_peak.
 #define PEAK_RAISE 0u   // irradiances are raised to the largest

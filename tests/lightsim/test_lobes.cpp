@@ -136,8 +136,8 @@ TEST_P(LobesOfEachDeposit, RepeatWhateverThePoolAndTheBlock) {
     const LobeTable lobes = bakeWith({}).light.lobes;
     expectEqual(bakeWith({}).light.lobes, lobes);
     expectEqual(bakeWith({.poolPatches = 512, .tubeVertices = 2048}).light.lobes, lobes);
-    // 64 bins of 6 words of 4 bytes a voxel: some thousand voxels, in tiles of 1365
-    expectEqual(bakeWith({.maxBlockBytes = 1u << 21}).light.lobes, lobes);
+    // 64 bins of 3 words of 4 bytes a voxel: some thousand voxels, in tiles of 1365
+    expectEqual(bakeWith({.maxBlockBytes = 1u << 20}).light.lobes, lobes);
 }
 
 TEST_P(LobesOfEachDeposit, AddUpToTheLightAndChangeNothingElse) {
