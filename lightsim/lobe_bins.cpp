@@ -29,7 +29,8 @@ DirectedLight lightOf(const std::int32_t* power, const glm::ivec3& flux, int ban
 
 std::vector<LobeTile> lobeTiles(std::span<const std::uint32_t> voxels, const Lattice& lattice, std::size_t blockBytes) {
     const std::size_t mostRows = std::max<std::size_t>(1, blockBytes / rowBytes(3));
-    const std::size_t mostLayers = std::max<std::size_t>(1, blockBytes / (voxelsPerLayer(lattice) * sizeof(std::uint32_t)));
+    const std::size_t layerBytes = voxelsPerLayer(lattice) * sizeof(std::uint32_t);
+    const std::size_t mostLayers = std::max<std::size_t>(1, blockBytes / layerBytes);
     const auto layerOf = [&](std::size_t i) { return voxels[i] / voxelsPerLayer(lattice); };
     std::vector<LobeTile> tiles;
     for (std::size_t first = 0; first < voxels.size();) {

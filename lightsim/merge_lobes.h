@@ -23,7 +23,8 @@ DirectedLight directedLight(const LightLobe& lobe);
 DirectedLight directedLight(const glm::vec3& irradiance, const glm::vec3& direction);
 
 /// Merges what loses least of Σ|F| again and again: until at most kMostLobes are left, and on while a merger loses less than
-/// `tolerance` of the whole power. Strongest first. The same light in the same order gives the same lobes; quadratic in its number.
+/// `tolerance` of the whole power. Strongest first. The same light in the same order gives the same lobes; takes time as the
+/// square of its number.
 std::vector<DirectedLight> mergedLobes(std::vector<DirectedLight> light, double tolerance);
 
 /// The lobes, at most kMostLobes, scaled and turned by what they miss of a voxel's light as its grids hold it.

@@ -3,7 +3,7 @@
 // integers, and the order of additions does not matter.
 
 layout(std430, binding = BAKE_LOBE_ROWS_BINDING) readonly buffer LobeRows { uint rowAfter[]; };  // of a voxel: row + 1, or 0
-layout(std430, binding = BAKE_LOBE_SCALES_BINDING) readonly buffer LobeScales { float rowScale[]; };  // units of a word per unit
+layout(std430, binding = BAKE_LOBE_SCALES_BINDING) readonly buffer LobeScales { float rowScale[]; };  // from units to words
 layout(std430, binding = BAKE_LOBE_POWERS_BINDING) buffer LobePowers { int lobePowers[]; };  // BANDS words a bin
 layout(std430, binding = BAKE_LOBE_FLUXES_BINDING) buffer LobeFluxes { int lobeFluxes[]; };  // three words a bin
 

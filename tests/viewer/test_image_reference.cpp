@@ -170,8 +170,9 @@ void giveLobes(BakedLight& light) {
         const glm::vec3 whole = light.irradiance.values[voxel], direction = light.lightDirection.values[voxel];
         if (voxel / std::uint32_t(light.lattice.size.x) % 4 < 2) {
             light.lobes.voxels.push_back(voxel);
-            light.lobes.rows.push_back({LightLobe{0.6f * whole, direction}, LightLobe{0.3f * whole, glm::vec3(0.9f, 0.1f, 0.0f)},
-                                        LightLobe{voxel % 2 == 0 ? 0.1f * whole : glm::vec3(0.0f), glm::vec3(0.0f, 0.5f, 0.5f)}});
+            const LightLobe third{voxel % 2 == 0 ? 0.1f * whole : glm::vec3(0.0f), glm::vec3(0.0f, 0.5f, 0.5f)};
+            light.lobes.rows.push_back(
+                {LightLobe{0.6f * whole, direction}, LightLobe{0.3f * whole, glm::vec3(0.9f, 0.1f, 0.0f)}, third});
         }
     }
 }

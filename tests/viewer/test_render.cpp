@@ -150,7 +150,8 @@ TEST(Render, CrossingBeamsInFogAgreeWithTheClosedForm) {
     const double ofMean = rendered(scene, fields, &bake).radiance(0, 0).g;
     for (std::uint32_t voxel = 0; voxel < lattice.count(); ++voxel) {
         bake.lobes.voxels.push_back(voxel);
-        bake.lobes.rows.push_back({LightLobe{glm::vec3(2.0f), glm::vec3(first)}, LightLobe{glm::vec3(1.0f), glm::vec3(second)}});
+        bake.lobes.rows.push_back(
+            {LightLobe{glm::vec3(2.0f), glm::vec3(first)}, LightLobe{glm::vec3(1.0f), glm::vec3(second)}});
     }
     const double exact = (2.0 * f64::henyeyGreenstein(first.z, g) + f64::henyeyGreenstein(second.z, g)) *
                          (1.0 - std::exp(-sigma * thickness));
