@@ -6,8 +6,9 @@ namespace eikonal::bake {
 
 namespace {
 
-// A voxel's whole light in a word's units: half of what a word with a sign holds, so that rounding cannot overflow it.
-constexpr double kUnitsOfWhole = double(1 << 30);
+// A voxel's whole light in a word's units: a quarter of what a word with a sign holds. Flux is not rounded to the deposit's
+// units, as power is: up to half a unit a band, of one at least, is 2.5 times as much at worst.
+constexpr double kUnitsOfWhole = double(1 << 29);
 
 std::size_t rowBytes(int words) { return std::size_t(LOBE_BINS) * std::size_t(words) * sizeof(std::int32_t); }
 

@@ -35,7 +35,17 @@ void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
     }
     uint row = rowAfter[slabIndex(voxel)] - 1u;
     uint bin = row * uint(LOBE_BINS) + lobeBinOf(flux);
-    vec3 powerShare = powerLength * rowScale[row];
+    // whole units, as the pass before has summed them up: what was too weak to count there does not count here
+    vec3 counted = floor(powerLength + 0.5);
+#if BANDS == 3
+    float all = counted.x + counted.y + counted.z;
+#else
+    float all = counted.x;
+#endif
+    if (all == 0.0) {
+        return;
+    }
+    vec3 powerShare = counted * rowScale[row];
     vec3 fluxShare = flux * rowScale[row];
     atomicAdd(lobePowers[uint(BANDS) * bin], wordOf(powerShare.x));
 #if BANDS == 3
