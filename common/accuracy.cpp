@@ -22,8 +22,8 @@ void requireAvailable(const Scene& scene) {
             "accuracy.integrator", "'auto' or 'leapfrog'");
     require(scene, asked.interpolation == Interpolation::kAuto || asked.interpolation == Interpolation::kLinear,
             "accuracy.interpolation", "'auto' or 'linear'");
-    require(scene, asked.directional == Directional::kAuto || asked.directional == Directional::kMean,
-            "accuracy.directional", "'auto' or 'mean'");
+    require(scene, asked.directional != Directional::kLobes || asked.deposit != Deposit::kPeak, "accuracy.directional",
+            "'auto' or 'mean' with deposit 'peak', which keeps one direction");
     require(scene, asked.reflections == 0, "accuracy.reflections", "0");
 }
 

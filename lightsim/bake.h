@@ -23,6 +23,7 @@ namespace bake {
 struct BakeSettings;
 struct Criteria;
 struct LaunchGrids;
+class LobeCriterion;
 } // namespace bake
 
 struct BakeOptions {
@@ -62,6 +63,7 @@ struct PatchCounts {
 struct BakeSeconds {
     double upload = 0.0;     ///< textures, buffers and kernels, where they are not there from an earlier bake
     double propagate = 0.0;  ///< emit, propagate, deposit and refine
+    double lobes = 0.0;      ///< the second propagation, where light is sorted by direction, and merging
     double read = 0.0;       ///< fixed point to grids, ledger
     double total = 0.0;
 };
@@ -71,7 +73,8 @@ struct BakeStatistics {
     PatchCounts patches;
     EnergyLedger energy;
     std::string device;
-    std::size_t memoryBytes = 0;  ///< of buffers and textures
+    std::size_t memoryBytes = 0;  ///< of buffers and textures that stay
+    std::size_t lobeVoxels = 0;   ///< that have several lobes
 };
 
 /// What one light of several leaves.
@@ -97,9 +100,12 @@ public:
     /// Lights as they stand, whatever their keyframes say. Without power the grids are zero.
     /// Throws Error(kFailure) when interrupted, badInput for a lattice beyond the device.
     BakeResult bake(const LightSet& lights);
+    /// Which voxels get lobes, and how close lobes are merged.
+    const bake::LobeCriterion& lobeCriterion() const { return *lobeCriterion_; }
 
 private:
     struct Device;
+    std::size_t blockBytes() const;
     Device& deviceFor(int bands, const bake::LaunchGrids& grids, const bake::BakeSettings& settings);
 
     const gpu::Context& context_;
@@ -108,6 +114,7 @@ private:
     EffectSet effects_;
     BakeOptions options_;
     std::unique_ptr<bake::Criteria> criteria_;
+    std::unique_ptr<bake::LobeCriterion> lobeCriterion_;
     std::unique_ptr<Device> device_;
 };
 

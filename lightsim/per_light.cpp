@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "lightsim/lobes.h"
+
 namespace eikonal {
 
 namespace {
-
-double overBands(const glm::vec3& irradiance) {
-    return double(irradiance.x) + double(irradiance.y) + double(irradiance.z);
-}
 
 /// Irradiances add; light directions by their flux, which is the direction times the irradiance of all bands.
 void addLight(BakedLight& sum, const BakedLight& more) {
@@ -26,6 +24,7 @@ void addLight(BakedLight& sum, const BakedLight& more) {
 void addStatistics(BakeStatistics& sum, const BakeStatistics& more) {
     sum.seconds.upload += more.seconds.upload;
     sum.seconds.propagate += more.seconds.propagate;
+    sum.seconds.lobes += more.seconds.lobes;
     sum.seconds.read += more.seconds.read;
     sum.seconds.total += more.seconds.total;
     sum.patches.peak = std::max(sum.patches.peak, more.patches.peak);
@@ -48,6 +47,8 @@ BakeResult bakePerLight(LightSimulator& simulator, const LightSet& lights) {
         addStatistics(sum.statistics, one.statistics);
         sum.parts.push_back({single.name, std::move(one.light)});
     }
+    sum.light.lobes = bake::summedLobes(simulator.lobeCriterion(), sum.parts, sum.light);
+    sum.statistics.lobeVoxels = sum.light.lobes.voxels.size();
     return sum;
 }
 

@@ -32,7 +32,7 @@ void TubeBake::setLights(const gpu::Context& context, const LaunchGrids& grids, 
 
 /// The method: propagate, refine, conform, deposit, until no light is left. False: the batch needs more rays than there is
 /// room for, and `window` is the first that is not deposited.
-bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& window) {
+bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, const VoxelSums& sums, std::uint32_t& window) {
     const std::uint32_t maxWindows = settings_.maxSteps / TUBE_STEPS + 1;
     for (window = 0; window < maxWindows; ++window) {
         throwIfInterrupted();
@@ -43,7 +43,7 @@ bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& win
         }
         batch.conform();
         if (window >= cells.firstDeposit) {
-            counts_.steps += batch.deposit(sums_);
+            counts_.steps += batch.deposit(sums);
         }
         if (batch.isFinished(settings_.cullShare)) {
             break;
@@ -54,11 +54,19 @@ bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& win
 }
 
 void TubeBake::propagate(int begin, int end, const std::function<void(double)>& progress) {
+    sums_.clear();
+    run(begin, end, sums_, progress);
+}
+
+void TubeBake::propagateInto(const LobeBins& bins, const std::function<void(double)>& progress) {
+    run(bins.tile().slabBegin, bins.tile().slabEnd, bins, progress);
+}
+
+void TubeBake::run(int begin, int end, const VoxelSums& sums, const std::function<void(double)>& progress) {
     settings_.slabBegin = begin;
     settings_.slabEnd = end;
     counts_ = {};
     kernels_.restart(settings_);
-    sums_.clear();
     std::vector<CellRange> waiting;
     std::uint32_t nextCell = 0;
     std::uint32_t batchCells = kFirstBatch;
@@ -71,7 +79,7 @@ void TubeBake::propagate(int begin, int end, const std::function<void(double)>& 
         waiting.pop_back();
         TubeBatch batch(kernels_, *grids_, cells, capacity_);
         std::uint32_t window = 0;
-        if (bake(batch, cells, window)) {
+        if (bake(batch, cells, sums, window)) {
             counts_.peak = std::max<std::uint64_t>(counts_.peak, batch.nodeCount());
             counts_.refusedSplits += batch.refusedHalvings();
             counts_.splits += (batch.nodeCount() - cells.cellCount) / 2;

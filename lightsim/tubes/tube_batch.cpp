@@ -262,7 +262,7 @@ void TubeBatch::listJobs(std::uint32_t index, Samples steps, std::vector<TubeJob
     }
 }
 
-std::uint64_t TubeBatch::deposit(const LightSums& sums) {
+std::uint64_t TubeBatch::deposit(const VoxelSums& sums) {
     findBends();
     std::vector<TubeJob> jobs;
     for (std::uint32_t root = 0; root < rootCount_; ++root) {

@@ -19,7 +19,7 @@ std::size_t itemBytes(std::size_t capacity) {
 } // namespace
 
 TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity)
-    : vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
+    : context_(context), defines_(defines), vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
       positions_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube positions"),
       shares_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube shares"),
       frames_(context, sizeof(LaunchFrame), "launch frames"),
@@ -36,10 +36,22 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines),
       conform_(context, "lightsim/tubes/conform.comp.glsl", defines),
       sort_(context, "lightsim/tubes/sort_cells.comp.glsl", defines),
-      gather_(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
-      points_(context, "lightsim/tubes/deposit_points.comp.glsl", defines),
-      rays_(context, "lightsim/tubes/deposit_rays.comp.glsl", defines),
-      tally_(context, "lightsim/tubes/tally.comp.glsl", defines) {}
+      tally_(context, "lightsim/tubes/tally.comp.glsl", defines), intoSums_(context, defines) {}
+
+TubeKernels::DepositKernels::DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines)
+    : gather(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
+      points(context, "lightsim/tubes/deposit_points.comp.glsl", defines),
+      rays(context, "lightsim/tubes/deposit_rays.comp.glsl", defines) {}
+
+const TubeKernels::DepositKernels& TubeKernels::depositKernels(const VoxelSums& sums) {
+    if (!sums.areLobes()) {
+        return intoSums_;
+    }
+    if (!intoLobes_) {
+        intoLobes_.emplace(context_, withLobes(defines_));
+    }
+    return *intoLobes_;
+}
 
 void TubeKernels::setLights(const gpu::Context& context, const LaunchGrids& grids, const TubeSettings& tubeSettings) {
     frames_ = gpu::Buffer(context, grids.frames.size() * sizeof(LaunchFrame), "launch frames");
@@ -116,13 +128,13 @@ std::vector<TubePresence> TubeKernels::presences(std::uint32_t count) const {
     return result;
 }
 
-void TubeKernels::deposit(std::span<const TubeJob> jobs, const LightSums& sums) {
+void TubeKernels::deposit(std::span<const TubeJob> jobs, const VoxelSums& sums) {
     for (std::size_t begin = 0; begin < jobs.size(); begin += TUBE_MAX_JOBS) {
         depositChunk(jobs.subspan(begin, std::min<std::size_t>(TUBE_MAX_JOBS, jobs.size() - begin)), sums);
     }
 }
 
-void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& sums) {
+void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const VoxelSums& sums) {
     bindTracks();
     items_.upload(jobs);
     std::array<TubePartList, TUBE_LISTS> lists{};
@@ -134,7 +146,8 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& s
     sums.bind();
     cells_.bindStorage(TUBE_RECORDS_BINDING);
     parts_.bindStorage(TUBE_PARTS_BINDING);
-    const gpu::Kernel* kernels[TUBE_LISTS] = {&gather_, &points_, &rays_};
+    const DepositKernels& into = depositKernels(sums);
+    const gpu::Kernel* kernels[TUBE_LISTS] = {&into.gather, &into.points, &into.rays};
     for (std::size_t list = 0; list < TUBE_LISTS; ++list) {
         kernels[list]->dispatchIndirect(parts_, list * sizeof(TubePartList) + offsetof(TubePartList, groups));
     }

@@ -3,20 +3,21 @@
 // made to conform, deposited.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "common/gpu/objects.h"
 #include "lightsim/emit.h"
-#include "lightsim/light_sums.h"
+#include "lightsim/voxel_sums.h"
 #include "shaders/shared/tube_blocks.h"
 
 namespace eikonal::bake {
 
 class TubeKernels {
 public:
-    /// Room for `capacity` vertices.
+    /// Room for `capacity` vertices. Keeps a reference to the context.
     TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity);
 
     void setLights(const gpu::Context& context, const LaunchGrids& grids, const TubeSettings& tubeSettings);
@@ -34,7 +35,7 @@ public:
     /// Of all vertices, as their last trace left it.
     std::vector<TubePresence> presences(std::uint32_t count) const;
     /// Deposits nodes over steps.
-    void deposit(std::span<const TubeJob> jobs, const LightSums& sums);
+    void deposit(std::span<const TubeJob> jobs, const VoxelSums& sums);
     /// Enters the rays' stories in the ledger; power by vertex and band.
     void tally(std::span<const glm::vec4> powers);
 
@@ -46,14 +47,26 @@ public:
     std::size_t bytes() const;
 
 private:
+    /// One for each list of parts, in the order of the lists.
+    struct DepositKernels {
+        gpu::Kernel gather, points, rays;
+
+        DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines);
+    };
+
     void bindTracks() const;
     void run(const gpu::Kernel& kernel, std::size_t items, std::size_t invocationsPerItem = 1);
-    void depositChunk(std::span<const TubeJob> jobs, const LightSums& sums);
+    void depositChunk(std::span<const TubeJob> jobs, const VoxelSums& sums);
+    const DepositKernels& depositKernels(const VoxelSums& sums);
 
+    const gpu::Context& context_;
+    std::vector<std::string> defines_;
     TubeSettings tubeSettings_{};
     gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, cells_, parts_, ledger_,
         settingsBlock_, tubeBlock_;
-    gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sort_, gather_, points_, rays_, tally_;
+    gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sort_, tally_;
+    DepositKernels intoSums_;
+    std::optional<DepositKernels> intoLobes_;  ///< compiled where they are first needed
 };
 
 } // namespace eikonal::bake

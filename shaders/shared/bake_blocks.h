@@ -22,6 +22,10 @@ using glm::vec3;
 #define BAKE_LEDGER_BINDING 4   // retire
 #define BAKE_FLUX_BINDING 2        // deposit: flux along x, y, z at 2, 3, 4
 #define BAKE_IRRADIANCE_BINDING 5  // deposit: bands at 5, 6, 7
+#define BAKE_LOBE_ROWS_BINDING 2       // deposit with LIGHT_LOBES, in place of the sums
+#define BAKE_LOBE_SCALES_BINDING 3     // likewise
+#define BAKE_LOBE_POWERS_BINDING 4     // likewise
+#define BAKE_LOBE_FLUXES_BINDING 5     // likewise
 #define BAKE_PEAK_SUM_BINDING 2        // deposit_peak; its bands at BAKE_IRRADIANCE_BINDING
 #define BAKE_PEAK_DIRECTION_BINDING 3  // deposit_peak
 #define BAKE_SETTINGS_BINDING 1    // uniform block
@@ -51,6 +55,10 @@ using glm::vec3;
 
 // A direction in one word: three components of ten bits, -1 to 1 in twice this many steps. 0: none.
 #define PEAK_DIRECTION_STEPS 511
+
+// Bins of direction that a voxel's light is sorted into: an octahedral map of the sphere of so many squares each way.
+#define LOBE_BINS_ACROSS 8
+#define LOBE_BINS (LOBE_BINS_ACROSS * LOBE_BINS_ACROSS)
 
 // Passes of deposit_peak.
 #define PEAK_RAISE 0u   // irradiances are raised to the largest

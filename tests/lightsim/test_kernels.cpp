@@ -16,6 +16,11 @@ std::vector<KernelVariant> variants() {
         for (const char* kernel : {"emit", "propagate", "refine", "retire", "split", "deposit", "deposit_corners", "deposit_peak"}) {
             rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {"BANDS 3"}));
         }
+        for (const char* kernel : {"deposit", "deposit_corners"}) {
+            for (const char* bands : {"BANDS 1", "BANDS 3"}) {
+                rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {bands, "LIGHT_LOBES"}));
+            }
+        }
         for (const char* kernel : {"deposit", "deposit_corners", "deposit_peak"}) {  // the others know no bands
             rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {"BANDS 1"}));
         }
@@ -26,7 +31,7 @@ std::vector<KernelVariant> variants() {
     }
     for (const char* bands : {"BANDS 1", "BANDS 3"}) {
         for (const char* kernel : {"deposit_gather", "deposit_points", "deposit_rays"}) {
-            for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION"})) {
+            for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION", "LIGHT_LOBES"})) {
                 rows.push_back(test::variant("lightsim/tubes/" + std::string(kernel) + ".comp.glsl", subset, {bands}));
             }
         }

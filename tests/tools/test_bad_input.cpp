@@ -121,8 +121,12 @@ static const std::vector<BadCase> kVolumeCases{
 };
 
 static const std::vector<BadCase> kSceneCases{
-    {"MethodThatIsNotThereYet", 3, "accuracy.directional",
-     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\n"); }},
+    {"MethodThatIsNotThereYet", 3, "accuracy.integrator",
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\nintegrator = \"euler\"\n"); }},
+    {"LobesOfADepositWithOneDirection", 3, "accuracy.directional",
+     [](const TemporaryFolder& f) {
+         return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\ndeposit = \"peak\"\n");
+     }},
     {"MissingScene", 3, "nowhere.toml",
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"bake", f.file("nowhere.toml"), "-o", f.file("out.vdb")};

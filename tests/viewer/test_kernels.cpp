@@ -14,7 +14,8 @@ using test::KernelVariant;
 std::vector<KernelVariant> variants() {
     const std::vector<std::string> switches = {
         "EFFECT_REFRACTION", "EFFECT_ABSORPTION",  "EFFECT_SCATTERING", "EFFECT_EMISSION", "EFFECT_REFLECTION",
-        "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "MANUAL_FILTERING"};
+        "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "MANUAL_FILTERING",
+        "LIGHT_LOBES"};
     std::vector<KernelVariant> rows = {{"viewer/accumulate.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},

@@ -85,7 +85,7 @@ void main() {
     vec3 voxelReach = 0.5 * vec3(dot(abs(rows[0]), vec3(1.0)), dot(abs(rows[1]), vec3(1.0)), dot(abs(rows[2]), vec3(1.0)));
     for (int i = 0; i < count.x * count.y * count.z; ++i) {
         ivec3 voxel = first + ivec3(i % count.x, i / count.x % count.y, i / (count.x * count.y));
-        if (any(greaterThan(abs(inverseMiddle * (vec3(voxel) + 0.5 - middle)), voxelReach + kFarOut))) {
+        if (!takesLight(voxel) || any(greaterThan(abs(inverseMiddle * (vec3(voxel) + 0.5 - middle)), voxelReach + kFarOut))) {
             continue;
         }
         Light light = gathered(part, corners, map, inverseMiddle, middle, voxel);
