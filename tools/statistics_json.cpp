@@ -73,6 +73,8 @@ nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& e
         {"rays", statistics.rays},
         {"steps", statistics.steps},
         {"field_evaluations", statistics.fieldEvaluations},
+        {"clearance_look_ups", statistics.clearanceLookUps},
+        {"matter_samples", statistics.matterSamples},
         {"effects", effectsJson(effects)},
         {"device", statistics.device},
         {"memory_bytes", statistics.memoryBytes},

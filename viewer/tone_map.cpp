@@ -15,9 +15,13 @@ std::vector<std::string> curveDefines(ToneMap curve) {
 
 } // namespace
 
-ToneMapper::ToneMapper(const gpu::Context& context, ToneMap curve, std::size_t capacity)
-    : kernel_(context, "viewer/tone_map.comp.glsl", curveDefines(curve)),
-      display_(context, capacity * sizeof(glm::vec4), "display") {}
+ToneMapper::ToneMapper(const gpu::Context& context, ToneMap curve)
+    : kernel_(context, "viewer/tone_map.comp.glsl", curveDefines(curve)), display_(context, 0, "display") {}
+
+void ToneMapper::reserve(const gpu::Context& context, std::size_t pixels) {
+    const std::size_t bytes = pixels * sizeof(glm::vec4);
+    if (display_.bytes() < bytes) display_ = gpu::Buffer(context, bytes, "display");
+}
 
 void ToneMapper::run(const RayBatch& batch) const {
     display_.bindStorage(gpu::kStorageDisplay);

@@ -27,6 +27,7 @@ private:
     void meetMatter(const glm::dvec3& x, const glm::dvec3& direction, double ds);
     glm::dvec3 firstSolid(glm::dvec3 free, glm::dvec3 inside) const;
     glm::dvec3 scattered(const glm::dvec3& x, const glm::dvec3& direction) const;
+    glm::dvec3 fluxOnto(const glm::dvec3& x, const glm::dvec3& normal) const;
     glm::dvec3 surfaceRadiance(const glm::dvec3& x, const glm::dvec3& direction) const;
 
     bool solid(const glm::dvec3& x) const { return field_.coverage(x) >= kSolid; }
@@ -169,16 +170,34 @@ glm::dvec3 normalOf(const GridField& field, const glm::dvec3& x, const glm::dvec
     return magnitude > 1e-4 ? -gradient / magnitude : -direction;
 }
 
+/// Power per unit area of a surface: the bake's flux about x, each voxel weighing by its free share, against the normal.
+glm::dvec3 Walk::fluxOnto(const glm::dvec3& x, const glm::dvec3& normal) const {
+    const BakedLight& light = *scene_.light;
+    const glm::dvec3 position = (x - light.lattice.min) / light.lattice.voxel - 0.5;
+    const glm::dvec3 base = glm::floor(position);
+    glm::dvec3 irradiance(0.0), flux(0.0);
+    double volume = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 upper(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const glm::dvec3 share = glm::mix(1.0 - (position - base), position - base, upper);
+        const glm::ivec3 voxel = glm::clamp(glm::ivec3(base + upper), glm::ivec3(0), light.lattice.size - 1);
+        const double free = 1.0 - glm::clamp(field_.coverage(light.lattice.worldFromIndex(voxel)), 0.0, 1.0);
+        const double weight = share.x * share.y * share.z * free;
+        const glm::dvec3 held = weight * glm::dvec3(light.irradiance.at(voxel));
+        irradiance += held;
+        flux += (held.x + held.y + held.z) * glm::dvec3(light.lightDirection.at(voxel));
+        volume += weight;
+    }
+    const double total = irradiance.x + irradiance.y + irradiance.z;
+    return total > 0.0 ? irradiance / volume * (std::max(-glm::dot(flux, normal), 0.0) / total) : glm::dvec3(0.0);
+}
+
 /// A diffuse surface under the baked light a voxel off it and under the environment.
 glm::dvec3 Walk::surfaceRadiance(const glm::dvec3& x, const glm::dvec3& direction) const {
     const glm::dvec3 normal = normalOf(field_, x, direction);
     glm::dvec3 received = scene_.ambient(normal);
-    if (scene_.light) {
-        const glm::dvec3 above = x + normal * scene_.light->lattice.voxel;
-        const glm::dvec3 flux = trilinear(scene_.light->lightDirection, scene_.light->lattice, above);
-        received += trilinear(scene_.light->irradiance, scene_.light->lattice, above) *
-                    (std::max(-glm::dot(flux, normal), 0.0) / std::numbers::pi);
-    }
+    if (scene_.light)
+        received += fluxOnto(x + normal * scene_.light->lattice.voxel, normal) / std::numbers::pi;
     return field_.albedo(x - 0.5 * normal * field_.lattice().voxel) * received;
 }
 

@@ -18,7 +18,8 @@ test::Members rayStateMembers() {
         EIKONAL_MEMBER(gpu::RayState, crossingStart), EIKONAL_MEMBER(gpu::RayState, crossingWTangential),
         EIKONAL_MEMBER(gpu::RayState, crossingSide), EIKONAL_MEMBER(gpu::RayState, n),
         EIKONAL_MEMBER(gpu::RayState, nCamera), EIKONAL_MEMBER(gpu::RayState, entryDistance),
-        EIKONAL_MEMBER(gpu::RayState, pad)
+        EIKONAL_MEMBER(gpu::RayState, lookUps), EIKONAL_MEMBER(gpu::RayState, lookAgainAt),
+        EIKONAL_MEMBER(gpu::RayState, matterSamples), EIKONAL_MEMBER(gpu::RayState, pad0), EIKONAL_MEMBER(gpu::RayState, pad1)
     };
 }
 
@@ -35,8 +36,10 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, imageSize), EIKONAL_MEMBER(gpu::ViewBlock, tileOrigin),
         EIKONAL_MEMBER(gpu::ViewBlock, tileSize), EIKONAL_MEMBER(gpu::ViewBlock, subPixel),
         EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, sampleIndex),
-        EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, viewPad),
+        EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, filmStart),
         {"ambient[0]", offsetof(gpu::ViewBlock, ambient)},
+        EIKONAL_MEMBER(gpu::ViewBlock, contentMin), EIKONAL_MEMBER(gpu::ViewBlock, negligibleGradient),
+        EIKONAL_MEMBER(gpu::ViewBlock, contentMax), EIKONAL_MEMBER(gpu::ViewBlock, contentPad),
     };
 }
 
@@ -54,7 +57,8 @@ test::Members filmPixelMembers() {
         EIKONAL_MEMBER(gpu::FilmPixel, radiance), EIKONAL_MEMBER(gpu::FilmPixel, steps),
         EIKONAL_MEMBER(gpu::FilmPixel, exitDirection), EIKONAL_MEMBER(gpu::FilmPixel, entryDistance),
         EIKONAL_MEMBER(gpu::FilmPixel, depth), EIKONAL_MEMBER(gpu::FilmPixel, opticalLength),
-        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, pad)
+        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, pad),
+        EIKONAL_MEMBER(gpu::FilmPixel, normal), EIKONAL_MEMBER(gpu::FilmPixel, normalPad)
     };
 }
 

@@ -96,7 +96,8 @@ Setting only(Setting setting, const std::set<Effect>& effects) {
 
 std::vector<glm::dvec3> rendered(const Setting& setting) {
     const RenderResult image = renderScene(test::sharedContext(), setting.scene, setting.fields,
-                                           test::effectsOf(setting.scene, setting.fields), &setting.light);
+                                           test::effectsOf(setting.scene, setting.fields), &setting.light,
+                                           {.straightFlights = false});  // as the reference
     std::vector<glm::dvec3> radiance;
     for (int i = 0; i < kSize * kSize; ++i) radiance.emplace_back(image.radiance(i % kSize, i / kSize));
     return radiance;

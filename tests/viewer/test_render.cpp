@@ -60,7 +60,8 @@ TEST(Render, FresnelDimsTheMiddleOfASphereByTwoCrossings) {
     Fields fields = test::sphereFields(test::cube(64, 1.0), 0.7, 1.5, 1.5 / 32.0);
     const Scene scene = test::plainScene(glm::dvec3(1.0), 30.0, 0.2, 1);
     const RenderResult image = rendered(scene, fields);
-    EXPECT_NEAR(image.channel("throughput.G").values[0], 0.96 * 0.96, 2e-3);
+    // The indices of a crossing are those of the last samples beside the band, a few 1e-3 off the glass's own.
+    EXPECT_NEAR(image.channel("throughput.G").values[0], 0.96 * 0.96, 3e-3);
 }
 
 TEST(Render, RaysThatGrazeABoundaryLoseNothing) {
@@ -221,6 +222,8 @@ TEST(Render, OpaqueSurfaceShowsItsIrradiance) {
     const BakedLight bake = constantLight(lattice, glm::vec3(2.0f), glm::vec3(0.0f, 0.6f, -0.8f));
     const RenderResult lit = rendered(test::plainScene(glm::dvec3(0.0), 30.0, 0.5, 1), fields, &bake);
     EXPECT_NEAR(lit.radiance(0, 0).r, 0.5 / 3.14159265 * 2.0 * 0.8, 1e-3);
+    EXPECT_NEAR(lit.channel("N.Z").values[0], 1.0, 1e-6);
+    EXPECT_NEAR(lit.channel("N.X").values[0], 0.0, 1e-6);
     const RenderResult ambient = rendered(test::plainScene(glm::dvec3(0.7), 30.0, 0.5, 1), fields);
     EXPECT_NEAR(ambient.radiance(0, 0).g, 0.25 * 0.7, 1e-3);
 }

@@ -1,0 +1,86 @@
+#pragma once
+// An image that grows sample by sample: camera, light and size may change in between, and what does not depend on them
+// stays on the device. Stills and the window are made by this one path.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/baked_light.h"
+#include "common/effects.h"
+#include "common/gpu_fields.h"
+#include "viewer/accumulate.h"
+#include "viewer/clearance.h"
+#include "viewer/environment.h"
+#include "viewer/generate.h"
+#include "viewer/light.h"
+#include "viewer/march.h"
+#include "viewer/render_options.h"
+#include "viewer/shade.h"
+#include "viewer/tone_map.h"
+
+namespace eikonal {
+
+class ProgressiveImage {
+public:
+    /// Uploads the fields and compiles the kernels of the effects that are on. `bake`: its light, or nullptr for none.
+    /// Throws badInput for an environment map that cannot be read and for grids beyond the device.
+    ProgressiveImage(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
+                     const BakedLight* bake, const RenderOptions& options);
+
+    /// The pixels of `region` within a frame of that size. Starts over, as all that changes what is seen does.
+    void setFrame(const glm::ivec2& size, const viewer::Tile& region);
+    void setCamera(const Camera& camera);
+    /// Another bake, on any lattice. The image must have been made with one.
+    void setLight(const BakedLight& bake);
+    /// Arc length of a step [voxels]. Throws badInput for one that is not positive.
+    void setStep(double stepVoxels);
+    /// Factor 2^ev on what is displayed; the film stays.
+    void setExposure(double ev);
+
+    /// Follows the next rays of the sample under way, at most `most` of them and never more than options.tileRays. True:
+    /// that sample is complete now.
+    bool addRays(std::size_t most);
+    /// Samples that every pixel has; the film is their mean.
+    int samples() const { return sample_; }
+    /// Share of the sample under way that is done, 0 to 1.
+    double sampleProgress() const;
+
+    const viewer::Tile& region() const { return region_; }
+    const glm::ivec2& frameSize() const { return batch_.view.imageSize; }
+    std::vector<gpu::FilmPixel> film() const { return accumulate_.film(region_.pixels()); }
+    /// Tone-mapped, sRGB-encoded values of the region.
+    std::vector<glm::vec4> display();
+    viewer::RayCounts counts() const { return accumulate_.counts(); }
+    std::vector<std::pair<std::string, std::size_t>> textures() const;
+    std::size_t bufferBytes() const;
+
+private:
+    void startOver();
+    std::vector<std::string> allDefines() const;
+    viewer::March& march();
+    void bind();
+
+    const gpu::Context& context_;
+    RenderOptions options_;
+    Lattice lattice_;
+    Camera camera_;
+    GpuFields fields_;
+    viewer::EnvironmentLight environment_;
+    viewer::Light light_;
+    std::optional<viewer::Clearance> clearance_;
+    viewer::RayBatch batch_;
+    viewer::Generate generate_;
+    std::map<double, viewer::March> marches_;  ///< by step [voxels]
+    double stepVoxels_;
+    viewer::Shade shade_;
+    viewer::Accumulate accumulate_;
+    viewer::ToneMapper toneMap_;
+    viewer::Tile region_;
+    int sample_ = 0;
+    std::size_t pixelsDone_ = 0;  ///< of the sample under way
+};
+
+} // namespace eikonal
