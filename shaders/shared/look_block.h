@@ -2,6 +2,8 @@
 // What the ways to look at an image need beyond it.
 
 #ifdef __cplusplus
+#include <cstddef>
+
 namespace eikonal::gpu {
 #endif
 

@@ -93,7 +93,7 @@ TEST_F(WindowTest, TheRefinedStillIsTheRendersAndAFullTurnComesBack) {
 TEST_F(WindowTest, AnotherLightIsBakedAsTheRenderBakesIt) {
     expectGood("0 wait\n0 set light.0.direction=[0.6, -0.8, 0]\n0 wait\n" + kSave + "0 quit\n");
     EXPECT_LT(rmsDifference(still(1), rendered({"--set", "light.0.direction=[0.6, -0.8, 0]"})), kStillTolerance);
-    EXPECT_GT(rmsDifference(still(1), rendered()), 10.0 * kStillTolerance) << "the light's direction shows";
+    EXPECT_GT(rmsDifference(still(1), rendered()), 5.0 * kStillTolerance) << "the light's direction shows";
 }
 
 TEST_F(WindowTest, AnEffectThatIsSwitchedOffIsGone) {

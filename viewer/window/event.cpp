@@ -69,8 +69,12 @@ bool readArguments(std::istringstream& line, Form form, Event& event) {
 Event parseLine(const std::string& text, const std::string& where) {
     std::istringstream line(text);
     Event event;
+    long long frame = 0;
     std::string name;
-    if (!(line >> event.frame >> name)) throw badInput(fmt::format("{}: expected a frame and an event, found '{}'", where, text));
+    if (!(line >> frame >> name) || frame < 0) {
+        throw badInput(fmt::format("{}: expected a frame and an event, found '{}'", where, text));
+    }
+    event.frame = std::uint64_t(frame);
     const auto word = std::find_if(kWords.begin(), kWords.end(), [&](const Word& w) { return w.name == name; });
     if (word == kWords.end()) throw badInput(fmt::format("{}: unknown event '{}'", where, name));
     event.kind = word->kind;

@@ -79,8 +79,13 @@ struct LiveBake::Worker {
     void bake(const BakeRequest& request) {
         if (request.fields != fields || simulatorKey(request.scene) != key) prepare(request);
         const LightSet lights = lightsAt(lightsOf(request.scene, request.effects), request.frame);
-        if (coarseSimulator) deliver(coarseSimulator->bake(lights), true);
-        if (!owner.newer_ && !owner.stop_) deliver(fineSimulator->bake(lights), false);
+        if (coarseSimulator) deliver(bakeWith(*coarseSimulator, lights), true);
+        if (!owner.newer_ && !owner.stop_) deliver(bakeWith(*fineSimulator, lights), false);
+    }
+
+    BakeResult bakeWith(LightSimulator& simulator, const LightSet& lights) {
+        owner.progress_ = 0.0;
+        return simulator.bake(lights);
     }
 
     void deliver(BakeResult result, bool isCoarse) {

@@ -47,7 +47,7 @@ void effectRow(const PanelState& state, const EffectDecision& decision, PanelAns
     if (const auto cost = state.effectCost(decision.effect)) {
         ImGui::Text("%+.0f ms a picture", 1e3 * *cost);
     } else {
-        ImGui::TextDisabled(decision.on ? "switch it to see its cost" : "not needed here");
+        ImGui::TextDisabled(decision.on ? "cost: switch it" : "not needed here");
     }
 }
 

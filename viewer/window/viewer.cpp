@@ -4,6 +4,7 @@
 
 #include "common/interrupt.h"
 #include "common/output_file.h"
+#include "viewer/window/look_range.h"
 #include "viewer/window/viewer_state.h"
 
 namespace eikonal::window {
@@ -14,6 +15,7 @@ Viewer::Viewer(const ViewOptions& options)
       screen_(window_.context(), "viewer/window/screen.vert.glsl", "viewer/window/screen.frag.glsl"),
       pixels_(window_.pixels()) {
     if (!options.script.empty()) script_.emplace(readEvents(options.script));
+    look_.slicePosition = middleOf(domain(), look_.sliceAxis);
     makeSession();
     startBake();
 }

@@ -3,6 +3,7 @@
 
 #include "common/error.h"
 #include "viewer/window/light_handle.h"
+#include "viewer/window/look_range.h"
 #include "viewer/window/viewer_state.h"
 
 namespace eikonal::window {
@@ -81,7 +82,9 @@ void Viewer::makeSession() {
     session_ = std::move(next);
 }
 
-void Viewer::chooseLook(const viewer::LookSettings& look) {
+void Viewer::chooseLook(viewer::LookSettings look) {
+    if (look.look != look_.look) look = withRange(look, *document_.fields(), light_ ? &light_->light : nullptr);
+    if (look.sliceAxis != look_.sliceAxis) look.slicePosition = middleOf(domain(), look.sliceAxis);
     look_ = look;
     session_->setLook(look);
 }

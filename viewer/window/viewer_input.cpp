@@ -6,6 +6,7 @@
 #include "common/light_motion.h"
 #include "common/scene_toml.h"
 #include "viewer/window/light_handle.h"
+#include "viewer/window/look_range.h"
 #include "viewer/window/viewer_state.h"
 
 namespace eikonal::window {
@@ -33,6 +34,11 @@ std::string cameraToml(const Camera& camera) {
         for (const auto& [key, value] : section.values) text += fmt::format("\n{} = {}", key, value);
     }
     return text;
+}
+
+viewer::LookSettings nextLook(viewer::LookSettings look) {
+    look.look = viewer::Look((int(look.look) + 1) % int(viewer::kLooks.size()));
+    return look;
 }
 
 double lastKeyframe(const Scene& scene) {
@@ -107,9 +113,7 @@ void Viewer::act(Action action) {
         case Action::kReload: return reload();
         case Action::kPlay: playing_ = playing_ ? std::nullopt : std::optional(0.0); return;
         case Action::kSaveScene: return saveScene();
-        case Action::kNextLook:
-            look_.look = viewer::Look((int(look_.look) + 1) % int(viewer::kLooks.size()));
-            return chooseLook(look_);
+        case Action::kNextLook: return chooseLook(nextLook(look_));
         case Action::kQuit: closing_ = true; return;
     }
 }
@@ -121,6 +125,8 @@ void Viewer::open(const std::string& file) {
     }
     document_ = Document(file, {});
     light_.reset();
+    look_ = {};
+    look_.slicePosition = middleOf(domain(), look_.sliceAxis);
     makeSession();
     startBake();
 }

@@ -54,7 +54,7 @@ private:
     void followFiles();
     void reload();
     void redo(const Redo& redo);
-    void chooseLook(const viewer::LookSettings& look);
+    void chooseLook(viewer::LookSettings look);
     void startBake();
     void takeLight();
     void makeSession();
