@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include "viewer/window/key_names.h"
@@ -83,6 +84,7 @@ void Gui::begin(const glm::ivec2& pixels, double frameSeconds) {
 
 void Gui::draw() {
     ImGui::Render();
+    glUseProgram(0);  // the backend restores the program in use, and the last one may be gone with its kernel
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

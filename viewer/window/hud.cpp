@@ -6,6 +6,7 @@
 #include "viewer/window/bindings.h"
 #include "viewer/window/light_handle.h"
 #include "viewer/window/orbit.h"
+#include "viewer/window/panel.h"
 
 namespace eikonal::window {
 
@@ -52,8 +53,10 @@ void drawHud(const HudState& state) {
 }
 
 void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera, std::optional<std::size_t> highlighted) {
-    ImDrawList* canvas = ImGui::GetBackgroundDrawList();
+    // Over the numbers, which take no clicks, and under the panel, which does.
+    ImDrawList* canvas = ImGui::GetForegroundDrawList();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    canvas->PushClipRect(ImVec2(0.0f, 0.0f), ImVec2(screen.x - kPanelWidth - 10.0f, screen.y));
     const double aspect = double(screen.x) / double(screen.y);
     const auto pixel = [&](const glm::dvec2& at) { return ImVec2(float(at.x) * screen.x, float(at.y) * screen.y); };
     const Projected middle = projected(camera, 0.5 * (domain.min + domain.max()), aspect);
@@ -75,6 +78,7 @@ void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera
                               IM_COL32(0, 0, 0, 140), 3.0f);
         canvas->AddText(place, yellow, label.c_str());
     }
+    canvas->PopClipRect();
 }
 
 void drawKeyList() {

@@ -9,8 +9,6 @@ namespace eikonal::window {
 
 namespace {
 
-constexpr float kWidth = 330.0f;  // pixels
-
 /// Sections whose values are cheap to follow while they are dragged.
 bool isLive(const std::string& section, const std::string& key) {
     return section == "camera" || section.rfind("light.", 0) == 0 || key == "exposure";
@@ -43,7 +41,7 @@ void effectRow(const PanelState& state, const EffectDecision& decision, PanelAns
     }
     if (greyed) ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", decision.why.c_str());
-    ImGui::SameLine(0.5f * kWidth);
+    ImGui::SameLine(0.5f * kPanelWidth);
     if (const auto cost = state.effectCost(decision.effect)) {
         ImGui::Text("%+.0f ms a picture", 1e3 * *cost);
     } else {
@@ -124,8 +122,8 @@ void Panel::sections(const PanelState& state, PanelAnswer& answer) {
 PanelAnswer Panel::draw(const PanelState& state) {
     PanelAnswer answer{{}, state.look, state.rays};
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(screen.x - kWidth - 10.0f, 10.0f));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(kWidth, 0.0f), ImVec2(kWidth, screen.y - 20.0f));
+    ImGui::SetNextWindowPos(ImVec2(screen.x - kPanelWidth - 10.0f, 10.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(kPanelWidth, 0.0f), ImVec2(kPanelWidth, screen.y - 20.0f));
     ImGui::Begin("scene", nullptr,
                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoCollapse);

@@ -31,6 +31,8 @@ struct PanelAnswer {
     bool rays;
 };
 
+inline constexpr float kPanelWidth = 330.0f;  ///< pixels, at the right edge of the screen
+
 class Panel {
 public:
     PanelAnswer draw(const PanelState& state);
