@@ -130,7 +130,9 @@ std::size_t ProgressiveImage::addRays(std::size_t most) {
     return tile.pixels();
 }
 
-double ProgressiveImage::sampleProgress() const { return double(pixelsDone_) / double(std::max<std::size_t>(region_.pixels(), 1)); }
+double ProgressiveImage::sampleProgress() const {
+    return double(pixelsDone_) / double(std::max<std::size_t>(region_.pixels(), 1));
+}
 
 std::vector<glm::vec4> ProgressiveImage::display() {
     viewer::configureTile(batch_.view, region_, 0);

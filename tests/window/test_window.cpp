@@ -103,7 +103,8 @@ TEST_F(WindowTest, AnEffectThatIsSwitchedOffIsGone) {
 }
 
 TEST_F(WindowTest, BrightnessDoesNotJumpWhenThePictureIsRefined) {
-    expectGood("0 key tab down\n0 key tab up\n0 wait\n0 scroll 1\n0 screenshot moving.png\n1 wait\n1 screenshot still.png\n2 quit\n");
+    expectGood("0 key tab down\n0 key tab up\n0 wait\n0 scroll 1\n0 screenshot moving.png\n"
+               "1 wait\n1 screenshot still.png\n2 quit\n");
     const double refined = meanOf(folder.file("still.png"));
     // The eye takes two percent for nothing, and a coarse picture has no more than a few hundred pixels to average.
     EXPECT_NEAR(meanOf(folder.file("moving.png")), refined, 0.02 * refined);
@@ -115,10 +116,12 @@ TEST_F(WindowTest, TakesWhatAPersonMayDo) {
                          "6 key shift down\n6 button left down\n7 cursor 70 130\n8 button left up\n8 key shift up\n"
                          "9 button middle down\n10 cursor 60 60\n11 button middle up\n12 scroll 2\n13 scroll -3\n"
                          "14 key w down\n16 key w up\n16 key a down\n18 key a up\n";
-    for (const char* key : {"enter", "1", "3", "7", "h", "h", "v", "v", "v", "v", "v", "v", "space", "space", "r", "p", "f2", "f", "f"}) {
+    for (const char* key : {"enter", "1", "3", "7", "h", "h", "v", "v", "v", "v", "v", "v", "space", "space", "r", "p", "f2",
+                            "f", "f"}) {
         script += std::string("20 key ") + key + " down\n20 key " + key + " up\n";
     }
-    script += "21 set camera.fov=50\n22 set object.0.ior=1.3\n23 set render.exposure=1\n24 set render.effects=[\"refraction\"]\n"
+    script += "21 set camera.fov=50\n22 set object.0.ior=1.3\n23 set render.exposure=1\n"
+              "24 set render.effects=[\"refraction\"]\n"
               "25 set render.effects=\"auto\"\n26 drop " + other + "\n27 size 200 150\n28 wait\n29 quit\n";
     const RunResult result = view(script);
     EXPECT_EQ(result.exitCode, 0) << result.err;

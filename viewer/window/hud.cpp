@@ -28,7 +28,8 @@ void drawProbe(const gpu::FilmPixel& pixel) {
     ImGui::TextDisabled("under the pointer");
     line("radiance", fmt::format("{:.3g}  {:.3g}  {:.3g}", pixel.radiance.x, pixel.radiance.y, pixel.radiance.z));
     line("depth", fmt::format("{:.3g}  {:.3g}  {:.3g}", pixel.depth.x, pixel.depth.y, pixel.depth.z));
-    line("goes to", fmt::format("{:.2f}  {:.2f}  {:.2f}", pixel.exitDirection.x, pixel.exitDirection.y, pixel.exitDirection.z));
+    const glm::vec3& exit = pixel.exitDirection;
+    line("goes to", fmt::format("{:.2f}  {:.2f}  {:.2f}", exit.x, exit.y, exit.z));
     line("steps", fmt::format("{:.0f}", pixel.steps));
 }
 
@@ -74,8 +75,8 @@ void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera
         const ImVec2 size = ImGui::CalcTextSize(label.c_str());
         const float right = at.x + radius + 6.0f;
         const ImVec2 place(right + size.x > screen.x ? at.x - radius - 6.0f - size.x : right, at.y - 0.5f * size.y);
-        canvas->AddRectFilled(ImVec2(place.x - 3.0f, place.y - 2.0f), ImVec2(place.x + size.x + 3.0f, place.y + size.y + 2.0f),
-                              IM_COL32(0, 0, 0, 140), 3.0f);
+        const ImVec2 corner(place.x + size.x + 3.0f, place.y + size.y + 2.0f);
+        canvas->AddRectFilled(ImVec2(place.x - 3.0f, place.y - 2.0f), corner, IM_COL32(0, 0, 0, 140), 3.0f);
         canvas->AddText(place, yellow, label.c_str());
     }
     canvas->PopClipRect();
@@ -84,6 +85,7 @@ void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera
 void drawKeyList() {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(0.5f * screen.x, 0.5f * screen.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowBgAlpha(0.97f);
     ImGui::Begin("keys", nullptr, kOverlay);
     const auto row = [](std::string_view how, std::string_view text) {
         ImGui::TextUnformatted(how.data(), how.data() + how.size());

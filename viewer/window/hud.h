@@ -19,7 +19,7 @@ struct HudState {
     double stepsPerRay = 0.0;
     std::vector<std::pair<std::string, double>> passSeconds;
     std::optional<double> bakeProgress;  ///< 0 to 1 while light is being baked
-    std::string lightState;              ///< "none", "coarse", "as the scene asks"
+    std::string lightState;              ///< "none yet", "coarse", "refined", ...
     std::size_t memoryBytes = 0;
     std::optional<gpu::FilmPixel> probe;  ///< of the pixel under the pointer
 };

@@ -31,7 +31,8 @@ void Viewer::setCamera(const Camera& camera) {
 
 void Viewer::moveLight(std::size_t index) {
     if (!controls_.hasMoved()) return;
-    document_.setLight(index, draggedTo(scene().lights[index], domain(), scene().camera, placeOf(controls_.pointer()), aspect()));
+    const glm::dvec2 at = placeOf(controls_.pointer());
+    document_.setLight(index, draggedTo(scene().lights[index], domain(), scene().camera, at, aspect()));
     startBake();
 }
 

@@ -51,7 +51,7 @@ void Viewer::drawPanels() {
         followRaysAtRest();
         drawRays(rayPaths_, scene().camera);
     }
-    drawHandles(scene(), domain(), scene().camera, held);
+    if (!keyList_) drawHandles(scene(), domain(), scene().camera, held);
     drawHud(hudState());
     const double pixels = double(pixels_.x) * double(pixels_.y);
     const auto cost = [&](Effect effect) -> std::optional<double> {
@@ -72,6 +72,12 @@ void Viewer::followRaysAtRest() {
     rayPointer_ = pointer;
 }
 
+std::string Viewer::lightState() const {
+    if (!document_.wantsLight()) return "none to see";
+    if (!light_) return "none yet";
+    return light_->coarse ? "coarse" : "refined";
+}
+
 HudState Viewer::hudState() const {
     HudState state;
     state.frameSeconds = frameSeconds_;
@@ -81,7 +87,7 @@ HudState Viewer::hudState() const {
     state.samplesWanted = session_->samplesWanted();
     state.stepsPerRay = session_->stepsPerRay();
     state.passSeconds = session_->passSeconds();
-    state.lightState = !document_.wantsLight() ? "none to see" : !light_ ? "none yet" : light_->coarse ? "coarse" : "refined";
+    state.lightState = lightState();
     if (bake_.isBusy()) state.bakeProgress = bake_.progress();
     state.memoryBytes = memoryOf(session_->image());
     if (!gui_.wantsMouse()) state.probe = session_->probe(placeOf(controls_.pointer()));

@@ -66,6 +66,7 @@ private:
     void drawPanels();
     void followRaysAtRest();
     HudState hudState() const;
+    std::string lightState() const;
     void saveWhenRefined();
     void saveScene();
     void takeScreenshots();
