@@ -40,9 +40,9 @@ std::string sceneTextForMesh(const std::filesystem::path& mesh) {
     const double reach = 0.75 * std::max({extent.x, extent.y, extent.z});
     constexpr double kFovDegrees = 35.0;
     const double distance = 1.8 * reach / std::tan(glm::radians(0.5 * kFovDegrees));
-    return fmt::format("[domain]\nmin = {}\nmax = {}\nresolution = 96\n[medium]\nscattering = {}\n"
+    return fmt::format("[domain]\nmin = {}\nmax = {}\nresolution = 64\n[medium]\nscattering = {}\n"
                        "[[object]]\nmesh = \"{}\"\nior = 1.5\n[[light]]\ntype = \"directional\"\ndirection = [1, -0.5, 0]\n"
-                       "irradiance = [4, 4, 4]\n[camera]\nposition = {}\nlook_at = {}\nfov = {}\n",
+                       "irradiance = [4, 4, 4]\n[environment]\nintensity = 0.15\n[camera]\nposition = {}\nlook_at = {}\nfov = {}\n",
                        vectorText(center - reach), vectorText(center + reach), 0.25 / reach, mesh.filename().string(),
                        vectorText(center + distance * glm::normalize(glm::dvec3(0.35, 0.3, 1.0))), vectorText(center),
                        kFovDegrees);

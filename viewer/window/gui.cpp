@@ -62,13 +62,28 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
+void Gui::press(const Event& event) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (event.kind == EventKind::kButton) {
+        io.MouseDown[buttonOf(event.name)] = event.down;
+    } else {
+        setKey(io, event.name, event.down);
+    }
+}
+
 void Gui::feed(const Event& event) {
     ImGuiIO& io = ImGui::GetIO();
     switch (event.kind) {
         case EventKind::kCursor: io.MousePos = ImVec2(float(event.at.x), float(event.at.y)); break;
-        case EventKind::kButton: io.MouseDown[buttonOf(event.name)] = event.down; break;
         case EventKind::kScroll: io.MouseWheel += float(event.at.x); break;
-        case EventKind::kKey: setKey(io, event.name, event.down); break;
+        case EventKind::kButton:
+        case EventKind::kKey:
+            if (event.down) {
+                press(event);
+            } else {
+                released_.push_back(event);
+            }
+            break;
         case EventKind::kText: io.AddInputCharactersUTF8(event.name.c_str()); break;
         default: break;
     }
@@ -86,6 +101,8 @@ void Gui::draw() {
     ImGui::Render();
     glUseProgram(0);  // the backend restores the program in use, and the last one may be gone with its kernel
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    for (const Event& event : released_) press(event);
+    released_.clear();
 }
 
 bool Gui::wantsMouse() const { return ImGui::GetIO().WantCaptureMouse; }

@@ -1,6 +1,8 @@
 #pragma once
 // Dear ImGui fed with events, recorded or live, and drawn into the window.
 
+#include <vector>
+
 #include <glm/glm.hpp>
 
 #include "viewer/window/event.h"
@@ -22,6 +24,11 @@ public:
 
     bool wantsMouse() const;     ///< the pointer is on a panel or drags one of its values
     bool wantsKeyboard() const;  ///< something is being typed
+
+private:
+    void press(const Event& event);
+
+    std::vector<Event> released_;  ///< in this frame: they count after it, or a quick click would be none
 };
 
 } // namespace eikonal::window

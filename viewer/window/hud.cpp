@@ -37,7 +37,7 @@ void drawProbe(const gpu::FilmPixel& pixel) {
 
 void drawHud(const HudState& state) {
     ImGui::SetNextWindowPos(ImVec2(10.0f, 10.0f));
-    ImGui::SetNextWindowBgAlpha(0.6f);
+    ImGui::SetNextWindowBgAlpha(0.8f);
     ImGui::Begin("numbers", nullptr, kOverlay);
     line("frame", fmt::format("{:.0f} ms", 1e3 * state.frameSeconds));
     line("picture", fmt::format("{} x {} of {} x {}", state.pictureSize.x, state.pictureSize.y, state.screenSize.x,
