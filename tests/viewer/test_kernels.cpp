@@ -30,6 +30,13 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
     }
+    for (const std::vector<std::string>& look : std::vector<std::vector<std::string>>{
+             {"TONE_AGX"}, {"TONE_REINHARD"}, {"LOOK_RADIANCE"}, {"LOOK_STEPS"}, {"LOOK_SLICE"},
+             {"LOOK_SLICE", "LOOK_DIRECTION"}, {"LOOK_SLICE", "LOOK_INDEX"}}) {
+        rows.push_back(test::variant("viewer/picture.comp.glsl", look));
+        rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"EFFECT_REFRACTION", "BAKED_LIGHT"}));
+        rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"BAKED_LIGHT", "MANUAL_FILTERING"}));
+    }
     return rows;
 }
 
