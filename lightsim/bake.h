@@ -41,6 +41,7 @@ struct EnergyLedger {
     glm::dvec3 scattered{0.0};
     glm::dvec3 exited{0.0};
     glm::dvec3 reflected{0.0};  ///< at boundaries, and not followed
+    glm::dvec3 followed{0.0};   ///< at boundaries, and followed: it is part of what was absorbed, scattered, exited or reflected
     glm::dvec3 culled{0.0};     ///< below the energy threshold, at the step limit, or (2007 method) folded
     glm::dvec3 depositedAbsorbed{0.0};   ///< Σ σ_a E V of the written grid: should equal absorbed - absorbedOpaque
     glm::dvec3 depositedScattered{0.0};  ///< Σ σ_s E V of the written grid: should equal scattered

@@ -6,6 +6,13 @@
 
 namespace eikonal::bake {
 
+/// Cells [first, first + count) of those of a path; deposits of windows before `firstDeposit` are in the sums.
+struct CellRange {
+    std::uint32_t first;
+    std::uint32_t count;
+    std::uint32_t firstDeposit = 0;
+};
+
 class TubeBake : public LightMethod {
 public:
     /// Room for `capacity` rays.
@@ -21,6 +28,8 @@ public:
     std::size_t bytes() const override { return kernels_.bytes() + sums_.bytes(); }
 
 private:
+    ReflectedLight follow(const LightPath& path, const std::function<void(double)>& progress);
+    void countBatch(const TubeBatch& batch, std::size_t cells);
     bool bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& window);
 
     Accuracy accuracy_;
@@ -29,6 +38,7 @@ private:
     BakeSettings settings_;
     std::uint32_t capacity_;
     int layers_;
+    bool followsReflections_;
     TubeKernels kernels_;
     LightSums sums_;
     PatchCounts counts_;

@@ -10,16 +10,10 @@
 
 namespace eikonal::bake {
 
-/// Cells [firstCell, firstCell + cellCount) of all launch grids; deposits of windows before `firstDeposit` are in the sums.
-struct CellRange {
-    std::uint32_t firstCell;
-    std::uint32_t cellCount;
-    std::uint32_t firstDeposit = 0;
-};
-
 class TubeBatch {
 public:
-    TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, const CellRange& cells, std::uint32_t capacity);
+    /// `cells`: numbers among those of all launch grids.
+    TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, std::span<const std::uint32_t> cells, std::uint32_t capacity);
 
     void begin(std::uint32_t window);  ///< of optical path
     void propagate();                  ///< all rays through the window
@@ -30,6 +24,8 @@ public:
     /// Ends the cells that have less than this share of their power left in the domain. True: all have ended.
     bool isFinished(double share);
     void tally();
+    /// What the cells have lost by reflection; only where reflections are followed.
+    std::vector<PowerByCrossing> reflected() const;
 
     std::uint32_t vertexCount() const { return std::uint32_t(mesh_.vertices.size()); }
     std::uint32_t refusedHalvings() const { return mesh_.refusedHalvings(); }

@@ -18,7 +18,8 @@ std::size_t itemBytes(std::size_t capacity) {
 
 } // namespace
 
-TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity)
+TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity,
+                         bool followsReflections)
     : vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
       positions_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube positions"),
       shares_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube shares"),
@@ -26,6 +27,7 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       nodes_(context, capacity * sizeof(TubeNode), "tube nodes"), items_(context, itemBytes(capacity), "tube items"),
       presences_(context, kPresenceHeader + capacity * sizeof(TubePresence), "tube presences"),
       measures_(context, capacity * sizeof(TubeMeasure), "tube measures"),
+      reflections_(context, followsReflections ? capacity * sizeof(TubeReflections) : 0, "tube reflections"),
       cells_(context, TUBE_MAX_JOBS * kCellsPerJob * sizeof(TubeCell), "tube cells"),
       parts_(context, sizeof(TubePartsHeader) + TUBE_LISTS * TUBE_LIST_PARTS * sizeof(std::uint32_t), "tube parts"),
       ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
@@ -45,6 +47,11 @@ void TubeKernels::setLights(const gpu::Context& context, const LaunchGrids& grid
     frames_ = gpu::Buffer(context, grids.frames.size() * sizeof(LaunchFrame), "launch frames");
     frames_.upload(std::span<const LaunchFrame>(grids.frames));
     tubeSettings_ = tubeSettings;
+}
+
+void TubeKernels::setMirrors(const Mirrors& mirrors) {
+    tubeSettings_.mirrorCount = std::uint32_t(mirrors.size());
+    tubeSettings_.mirrors = packed(mirrors);
 }
 
 void TubeKernels::restart(const BakeSettings& settings) {
@@ -85,6 +92,7 @@ void TubeKernels::trace(std::span<const std::uint32_t> vertices) {
     bindTracks();
     items_.upload(vertices);
     presences_.bindStorage(TUBE_RESULTS_BINDING);
+    reflections_.bindStorage(TUBE_REFLECTIONS_BINDING);
     run(trace_, vertices.size());
 }
 
@@ -159,7 +167,7 @@ std::uint64_t TubeKernels::fieldEvaluations() const {
 std::size_t TubeKernels::bytes() const {
     std::size_t sum = 0;
     for (const gpu::Buffer* buffer : {&vertices_, &positions_, &shares_, &frames_, &nodes_, &items_, &presences_, &measures_,
-                                      &cells_, &parts_, &ledger_, &settingsBlock_, &tubeBlock_}) {
+                                      &reflections_, &cells_, &parts_, &ledger_, &settingsBlock_, &tubeBlock_}) {
         sum += buffer->bytes();
     }
     return sum;

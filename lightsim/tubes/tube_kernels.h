@@ -10,18 +10,22 @@
 #include "common/gpu/objects.h"
 #include "lightsim/emit.h"
 #include "lightsim/light_sums.h"
+#include "lightsim/tubes/mirrors.h"
 #include "shaders/shared/tube_blocks.h"
 
 namespace eikonal::bake {
 
 class TubeKernels {
 public:
-    /// Room for `capacity` vertices.
-    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity);
+    /// Room for `capacity` vertices. Where reflections are followed, the kernels are other variants.
+    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity,
+                bool followsReflections);
 
     void setLights(const gpu::Context& context, const LaunchGrids& grids, const TubeSettings& tubeSettings);
     /// Counters and the ledger begin anew.
     void restart(const BakeSettings& settings);
+    /// The path that is followed from now on.
+    void setMirrors(const Mirrors& mirrors);
     void beginWindow(std::uint32_t firstStep) { tubeSettings_.firstStep = firstStep; }
 
     /// Uploads vertices, not launched yet, from number `first` on.
@@ -33,6 +37,8 @@ public:
     void conform(std::span<const TubeConformity> conformities);
     /// Of all vertices, as their last trace left it.
     std::vector<TubePresence> presences(std::uint32_t count) const;
+    /// Of all vertices; only where reflections are followed.
+    std::vector<TubeReflections> reflections(std::uint32_t count) const { return reflections_.download<TubeReflections>(count); }
     /// Deposits nodes over steps.
     void deposit(std::span<const TubeJob> jobs, const LightSums& sums);
     /// Enters the rays' stories in the ledger; power by vertex and band.
@@ -51,8 +57,8 @@ private:
     void depositChunk(std::span<const TubeJob> jobs, const LightSums& sums);
 
     TubeSettings tubeSettings_{};
-    gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, cells_, parts_, ledger_,
-        settingsBlock_, tubeBlock_;
+    gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, reflections_, cells_, parts_,
+        ledger_, settingsBlock_, tubeBlock_;
     gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sort_, gather_, points_, rays_, tally_;
 };
 

@@ -23,6 +23,7 @@ using glm::vec4;
 #define TUBE_ITEMS_BINDING 4     // what a kernel works on, one an invocation
 #define TUBE_RESULTS_BINDING 5   // what it answers
 #define TUBE_NODES_BINDING 6
+#define TUBE_REFLECTIONS_BINDING 7   // trace, where reflections are followed
 #define TUBE_RECORDS_BINDING 0   // deposit: cells, and the list of their parts; the sums lie at 2 to 7
 #define TUBE_PARTS_BINDING 1
 #define TUBE_SORT_RECORDS_BINDING 5  // sort_cells: the same two, beside the tracks
@@ -48,6 +49,18 @@ struct TubePresence {
     uint unusedA;
     uint unusedB;
 };
+
+// What a ray has lost by reflection at boundaries since its launch, or since its last mirror, crossing by crossing.
+#define TUBE_CROSSINGS 15
+struct TubeReflections {
+    float shares[TUBE_CROSSINGS];  // of the launched power, strongest band
+    uint crossings;
+};
+
+// The mirrors of a path in one word: of each, first to last from the lowest bits, which crossing after the one before it is
+// a reflection, less one.
+#define TUBE_MIRROR_BITS 4u
+#define TUBE_MAX_MIRRORS 8
 
 // An edge of the mesh with the ray in its middle.
 struct TubeEdge {
@@ -145,12 +158,14 @@ struct TubeSettings {
     float nearMargin;      // how far from the domain counts as near [scene units]
     float maxUnevenSpread; // of a middle from its neighbours' mean along the line between them, over their distance
     float evenSide;        // shorter edges may be uneven [scene units]
-    float unusedA;
-    float unusedB;
+    uint mirrorCount;      // of the path that is followed
+    uint mirrors;          // TUBE_MIRROR_BITS each
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(TubeVertex) == 176 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
+static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRROR_BITS);
+static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
 static_assert(sizeof(TubeCell) == 304 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 64 && sizeof(TubeSettings) == 48);

@@ -9,6 +9,8 @@ layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
     uint parts[];
 };
 
+#include "lightsim/tubes/mirror_cut.glsl"
+
 Trilinear mapOf(uint cell) {
     vec3 x[8];
     for (int i = 0; i < 8; ++i) {

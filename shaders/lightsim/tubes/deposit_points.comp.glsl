@@ -33,6 +33,9 @@ void main() {
     vec3 flux = vec3(0.0);
     for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
         vec3 q = (vec3(ivec3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y))) + 0.5) / vec3(counts);
+        if (!isPastMirror(part.cell, placeInCell(part, q))) {
+            continue;
+        }
         ivec3 voxel = ivec3(floor(placeIn(map, q)));
         if (voxel != current) {
             addWhereInside(current, powerLength, flux);

@@ -1,0 +1,150 @@
+// Reflected wavefronts: Fresnel's share of the light in front of glass, the series between two faces, the rainbow.
+#include <numbers>
+
+#include "common/physics.h"
+#include "tests/lightsim/bake_scenes.h"
+
+namespace eikonal {
+namespace {
+
+constexpr double kWidthVoxels = 1.5;
+
+/// Index `inside` where `distance` is negative, boundaries smoothed.
+Fields glassFields(const Lattice& lattice, double inside, const std::function<double(const glm::dvec3&)>& distance) {
+    const double width = kWidthVoxels * lattice.voxel;
+    Fields fields = test::indexFields(lattice, [&](const glm::dvec3& x) {
+        return 1.0 + (inside - 1.0) * 0.5 * std::erfc(distance(x) / (std::sqrt(2.0) * width));
+    });
+    fields.interface = DenseGrid<unsigned char>(lattice.size, 0);
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        fields.interface.at(v) = std::abs(distance(lattice.worldFromIndex(v))) < 2.75 * width ? 255 : 0;
+    });
+    return fields;
+}
+
+BakeResult bakeBeam(const Fields& fields, const glm::dvec3& direction, int reflections) {
+    Scene scene = test::sceneWith(DirectionalLight{glm::normalize(direction), glm::dvec3(1.0)});
+    scene.accuracy.reflections = reflections;
+    return test::bake(scene, fields);
+}
+
+glm::ivec3 voxelAt(const Lattice& lattice, const glm::dvec3& x) {
+    return glm::ivec3(glm::floor((x - lattice.min) / lattice.voxel));
+}
+
+/// Reflectance from vacuum, unpolarised.
+double reflectanceAt(double degrees, double n) {
+    const f64::Polarised r = f64::fresnelReflectance(1.0, n, std::sin(glm::radians(degrees)));
+    return 0.5 * (r.s + r.p);
+}
+
+class InterfaceAt : public ::testing::TestWithParam<double> {};
+
+TEST_P(InterfaceAt, LightsWhatIsInFront) {
+    // glass fills x > 0; the beam comes from vacuum, in the plane of x and y
+    const Lattice lattice = test::cube(32, 1.0);
+    const Fields fields = glassFields(lattice, 1.5, [](const glm::dvec3& x) { return -x.x; });
+    const double angle = glm::radians(GetParam());
+    const BakeResult result = bakeBeam(fields, {std::cos(angle), std::sin(angle), 0.0}, 1);
+    const double r = reflectanceAt(GetParam(), 1.5);
+    const glm::dvec2 flux((1.0 - r) * std::cos(angle), (1.0 + r) * std::sin(angle));
+    for (const glm::dvec3& x : {glm::dvec3(-0.4, 0.1, 0.0), glm::dvec3(-0.5, 0.2, 0.3), glm::dvec3(-0.3, -0.1, -0.4)}) {
+        const glm::ivec3 voxel = voxelAt(lattice, x);
+        // the band ends where 0.3 % of the step is left, which R shows as 1.2 % of itself
+        EXPECT_NEAR(result.light.irradiance.at(voxel).x, 1.0 + r, 0.02 * r + 0.0005);
+        const glm::vec3 direction = result.light.lightDirection.at(voxel);
+        EXPECT_NEAR(direction.x, flux.x / (1.0 + r), 0.002);
+        EXPECT_NEAR(direction.y, flux.y / (1.0 + r), 0.002);
+        EXPECT_NEAR(direction.z, 0.0, 0.001);
+    }
+    // nothing is left to be reflected and not followed, and no more is followed than was reflected
+    EXPECT_NEAR(result.statistics.energy.reflected.x, 0.0, 0.01 * result.statistics.energy.followed.x);
+    EXPECT_NEAR(result.statistics.energy.balance().x, 0.0, 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Reflections, InterfaceAt, ::testing::Values(0.0, 45.0, 70.0));
+
+TEST(Reflections, BetweenTwoFacesAreAGeometricSeries) {
+    // a slab of n = 2: R = 1/9 at each face
+    const Lattice lattice = test::cube(32, 1.0);
+    const Fields fields = glassFields(lattice, 2.0, [](const glm::dvec3& x) { return std::abs(x.x) - 0.4; });
+    const double r = 1.0 / 9.0, t = 1.0 - r;
+    const auto irradiance = [&](const BakeResult& result, double x) {
+        return double(result.light.irradiance.at(voxelAt(lattice, {x, 0.0, 0.0})).x);
+    };
+    const BakeResult once = bakeBeam(fields, {1.0, 0.0, 0.0}, 1);
+    const BakeResult twice = bakeBeam(fields, {1.0, 0.0, 0.0}, 2);
+    // R of itself to 1.2 % (see above), of the sum
+    EXPECT_NEAR(irradiance(once, -0.8), 1.0 + r + t * t * r, 0.003);
+    EXPECT_NEAR(irradiance(once, 0.0), t * (1.0 + r), 0.004);
+    EXPECT_NEAR(irradiance(once, 0.8), t * t, 0.004);
+    EXPECT_NEAR(irradiance(twice, -0.8) - irradiance(once, -0.8), 0.0, 1e-4);
+    EXPECT_NEAR(irradiance(twice, 0.0) - irradiance(once, 0.0), t * r * r, 0.03 * t * r * r);
+    EXPECT_NEAR(irradiance(twice, 0.8) - irradiance(once, 0.8), t * t * r * r, 0.03 * t * t * r * r);
+    EXPECT_NEAR(twice.statistics.energy.exited.x / twice.statistics.energy.entered.x,
+                r + t * t * (1.0 + r + r * r), 0.003);
+}
+
+TEST(Reflections, WithoutBoundariesAreNone) {
+    const Fields fields = test::clearSphere(16);
+    const BakeResult off = bakeBeam(fields, {1.0, 0.0, 0.0}, 0);
+    const BakeResult on = bakeBeam(fields, {1.0, 0.0, 0.0}, 3);
+    EXPECT_EQ(on.light.irradiance.values, off.light.irradiance.values);
+    EXPECT_EQ(on.statistics.patches.steps, off.statistics.patches.steps);
+}
+
+/// What a sphere reflects of a unit beam at its first two crossings, by Fresnel's equations for either polarisation.
+double powerReflectedBySphere(double radius, double n) {
+    constexpr int kSteps = 20000;
+    double power = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double p = (i + 0.5) / kSteps;  // impact parameter over the radius
+        const f64::Polarised r = f64::fresnelReflectance(1.0, n, p);
+        const double mean = 0.5 * (r.s * (2.0 - r.s) + r.p * (2.0 - r.p));
+        power += mean * 2.0 * std::numbers::pi * p * radius * radius / kSteps;
+    }
+    return power;
+}
+
+/// The light that following reflections adds.
+DenseGrid<double> addedBy(const BakeResult& on, const BakeResult& off) {
+    DenseGrid<double> added(on.light.lattice.size, 0.0);
+    for (std::size_t i = 0; i < added.values.size(); ++i) {
+        added.values[i] = double(on.light.irradiance.values[i].x) - double(off.light.irradiance.values[i].x);
+    }
+    return added;
+}
+
+TEST(Reflections, OfASphereCarryWhatFresnelSays) {
+    const Lattice lattice = test::cube(48, 1.0);
+    const Fields fields = glassFields(lattice, 1.5, [](const glm::dvec3& x) { return glm::length(x) - 0.6; });
+    const BakeResult off = bakeBeam(fields, {1.0, 0.0, 0.0}, 0);
+    const BakeResult on = bakeBeam(fields, {1.0, 0.0, 0.0}, 1);
+    const double followed = on.statistics.energy.followed.x;
+    EXPECT_NEAR(followed, off.statistics.energy.reflected.x, 0.01 * followed);
+    EXPECT_NEAR(followed, powerReflectedBySphere(0.6, 1.5), 0.01 * followed);
+    EXPECT_NEAR(on.statistics.energy.balance().x, 0.0, 1e-4);
+
+    const DenseGrid<double> added = addedBy(on, off);
+    double sum = 0.0, odd = 0.0;
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        sum += std::abs(added.at(v));
+        odd += std::abs(added.at(v) - added.at(v.x, lattice.size.y - 1 - v.y, v.z));
+    });
+    EXPECT_LT(odd, 0.03 * sum);  // the mesh is symmetric too, but the sides of a cell are not always halved alike
+}
+
+TEST(Reflections, KeepTheEnergyOfTheGrid) {
+    const Fields fields = test::absorbingSphereInSmoke(32);
+    const EnergyLedger energy = bakeBeam(fields, {1.0, 0.2, 0.1}, 2).statistics.energy;
+    for (int band = 0; band < 3; ++band) {
+        EXPECT_GT(energy.followed[band], 0.0);
+        EXPECT_LT(energy.reflected[band], 0.1 * energy.followed[band]);
+        EXPECT_NEAR(energy.balance()[band], 0.0, 1e-4);
+        EXPECT_NEAR(energy.depositedAbsorbed[band], energy.absorbed[band], 0.005 * energy.absorbed[band]);
+        EXPECT_NEAR(energy.depositedScattered[band], energy.scattered[band], 0.005 * energy.scattered[band]);
+    }
+}
+
+} // namespace
+} // namespace eikonal
