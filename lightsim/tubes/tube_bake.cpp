@@ -29,13 +29,16 @@ std::vector<std::string> definesFor(const MethodPlan& plan, bool followsReflecti
 
 } // namespace
 
-TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, std::uint32_t capacity, const LaunchGrids& grids,
+TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const BakeOptions& options, const LaunchGrids& grids,
                    const BakeSettings& settings)
-    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(capacity),
+    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(options.tubeVertices),
       layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)),
       followsReflections_(plan.accuracy.reflections > 0 && hasBoundaries(plan)),
-      kernels_(context, definesFor(plan, followsReflections_), capacity, followsReflections_),
+      kernels_(context, definesFor(plan, followsReflections_), capacity_, followsReflections_),
       sums_(context, plan.fields.lattice, layers_, plan.bands) {
+    if (options.eikonal) {
+        eikonal_.emplace(context, definesFor(plan, followsReflections_), plan.fields.lattice, layers_);
+    }
     setLights(context, grids, settings);
 }
 
@@ -58,7 +61,7 @@ bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& win
         }
         batch.conform();
         if (window >= cells.firstDeposit) {
-            counts_.steps += batch.deposit(sums_);
+            counts_.steps += batch.deposit(sums_, eikonal_ ? &*eikonal_ : nullptr);
         }
         if (batch.isFinished(settings_.cullShare)) {
             break;
@@ -117,6 +120,9 @@ void TubeBake::propagate(int begin, int end, const std::function<void(double)>& 
     counts_ = {};
     kernels_.restart(settings_);
     sums_.clear();
+    if (eikonal_) {
+        eikonal_->clear();
+    }
     const double leastPower = kFollowedShare * accuracy_.tolerance * grids_->strongestPower;
     std::vector<LightPath> paths{pathFromSource(*grids_)};
     for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -131,6 +137,11 @@ void TubeBake::propagate(int begin, int end, const std::function<void(double)>& 
     counts_.folds = kernels_.foldedCells();
 }
 
-void TubeBake::read(const DenseGrid<float>& opaque, BakedLight& light) const { sums_.read(settings_, opaque, light); }
+void TubeBake::read(const DenseGrid<float>& opaque, BakedLight& light) const {
+    sums_.read(settings_, opaque, light);
+    if (eikonal_) {
+        eikonal_->read(settings_, light.eikonal);
+    }
+}
 
 } // namespace eikonal::bake

@@ -1,6 +1,8 @@
 #pragma once
 // The bake by ray tubes: batch after batch of cells of the launch grids, window after window of optical path.
 
+#include <optional>
+
 #include "lightsim/light_method.h"
 #include "lightsim/tubes/tube_batch.h"
 
@@ -15,8 +17,7 @@ struct CellRange {
 
 class TubeBake : public LightMethod {
 public:
-    /// Room for `capacity` rays.
-    TubeBake(const gpu::Context& context, const MethodPlan& plan, std::uint32_t capacity, const LaunchGrids& grids,
+    TubeBake(const gpu::Context& context, const MethodPlan& plan, const BakeOptions& options, const LaunchGrids& grids,
              const BakeSettings& settings);
 
     void setLights(const gpu::Context& context, const LaunchGrids& grids, const BakeSettings& settings) override;
@@ -25,7 +26,7 @@ public:
     void read(const DenseGrid<float>& opaque, BakedLight& light) const override;
     PatchCounts counts() const override { return counts_; }
     const gpu::Buffer& ledger() const override { return kernels_.ledger(); }
-    std::size_t bytes() const override { return kernels_.bytes() + sums_.bytes(); }
+    std::size_t bytes() const override { return kernels_.bytes() + sums_.bytes() + (eikonal_ ? eikonal_->bytes() : 0); }
 
 private:
     ReflectedLight follow(const LightPath& path, const std::function<void(double)>& progress);
@@ -41,6 +42,7 @@ private:
     bool followsReflections_;
     TubeKernels kernels_;
     LightSums sums_;
+    std::optional<EikonalDeposit> eikonal_;  ///< where asked for
     PatchCounts counts_;
 };
 

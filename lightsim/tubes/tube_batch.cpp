@@ -264,13 +264,13 @@ void TubeBatch::listJobs(std::uint32_t index, Samples steps, std::vector<TubeJob
     }
 }
 
-std::uint64_t TubeBatch::deposit(const LightSums& sums) {
+std::uint64_t TubeBatch::deposit(const LightSums& sums, const EikonalDeposit* eikonal) {
     findBends();
     std::vector<TubeJob> jobs;
     for (std::uint32_t root = 0; root < rootCount_; ++root) {
         listJobs(root, kAllSteps, jobs);
     }
-    kernels_.deposit(jobs, sums);
+    kernels_.deposit(jobs, sums, eikonal);
     return jobs.size();
 }
 

@@ -20,7 +20,8 @@ public:
     /// Until the window is resolved. False: a batch of several cells needs more rays than there is room for.
     bool refine();
     void conform();                    ///< closes gaps between nodes of different size
-    std::uint64_t deposit(const LightSums& sums);  ///< returns the number of patch-steps
+    /// Of the eikonal too, unless that is null. Returns the number of patch-steps.
+    std::uint64_t deposit(const LightSums& sums, const EikonalDeposit* eikonal);
     /// Ends the cells that have less than this share of their power left in the domain. True: all have ended.
     bool isFinished(double share);
     void tally();

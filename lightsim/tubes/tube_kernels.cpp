@@ -124,13 +124,13 @@ std::vector<TubePresence> TubeKernels::presences(std::uint32_t count) const {
     return result;
 }
 
-void TubeKernels::deposit(std::span<const TubeJob> jobs, const LightSums& sums) {
+void TubeKernels::deposit(std::span<const TubeJob> jobs, const LightSums& sums, const EikonalDeposit* eikonal) {
     for (std::size_t begin = 0; begin < jobs.size(); begin += TUBE_MAX_JOBS) {
-        depositChunk(jobs.subspan(begin, std::min<std::size_t>(TUBE_MAX_JOBS, jobs.size() - begin)), sums);
+        depositChunk(jobs.subspan(begin, std::min<std::size_t>(TUBE_MAX_JOBS, jobs.size() - begin)), sums, eikonal);
     }
 }
 
-void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& sums) {
+void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& sums, const EikonalDeposit* eikonal) {
     bindTracks();
     items_.upload(jobs);
     std::array<TubePartList, TUBE_LISTS> lists{};
@@ -145,6 +145,9 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& s
     const gpu::Kernel* kernels[TUBE_LISTS] = {&gather_, &points_, &rays_};
     for (std::size_t list = 0; list < TUBE_LISTS; ++list) {
         kernels[list]->dispatchIndirect(parts_, list * sizeof(TubePartList) + offsetof(TubePartList, groups));
+    }
+    if (eikonal != nullptr) {
+        eikonal->add(parts_);
     }
 }
 

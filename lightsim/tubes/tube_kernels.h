@@ -10,6 +10,7 @@
 #include "common/gpu/objects.h"
 #include "lightsim/emit.h"
 #include "lightsim/light_sums.h"
+#include "lightsim/tubes/eikonal_deposit.h"
 #include "lightsim/tubes/mirrors.h"
 #include "shaders/shared/tube_blocks.h"
 
@@ -39,8 +40,8 @@ public:
     std::vector<TubePresence> presences(std::uint32_t count) const;
     /// Of all vertices; only where reflections are followed.
     std::vector<TubeReflections> reflections(std::uint32_t count) const { return reflections_.download<TubeReflections>(count); }
-    /// Deposits nodes over steps.
-    void deposit(std::span<const TubeJob> jobs, const LightSums& sums);
+    /// Deposits nodes over steps; their eikonal too, unless that is null.
+    void deposit(std::span<const TubeJob> jobs, const LightSums& sums, const EikonalDeposit* eikonal);
     /// Enters the rays' stories in the ledger; power by vertex and band.
     void tally(std::span<const glm::vec4> powers);
 
@@ -54,7 +55,7 @@ public:
 private:
     void bindTracks() const;
     void run(const gpu::Kernel& kernel, std::size_t items, std::size_t invocationsPerItem = 1);
-    void depositChunk(std::span<const TubeJob> jobs, const LightSums& sums);
+    void depositChunk(std::span<const TubeJob> jobs, const LightSums& sums, const EikonalDeposit* eikonal);
 
     TubeSettings tubeSettings_{};
     gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, reflections_, cells_, parts_,

@@ -76,8 +76,8 @@ struct LaunchFrame {
     uint profile;      // PROFILE_...
     float coneInner;   // versine of the angle to the axis up to which the profile of a cone is 1
     float coneOuter;   // versine of the angle from which it is 0
+    float pathBefore;  // optical path from the light to where t = 0 [scene units]
     float unusedA;
-    float unusedB;
 };
 
 // A corner of a patch: an exact ray from its launch coordinate. Shares are fractions of the frame's strength: of the power

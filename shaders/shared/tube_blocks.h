@@ -26,6 +26,7 @@ using glm::vec4;
 #define TUBE_REFLECTIONS_BINDING 7   // trace, where reflections are followed
 #define TUBE_RECORDS_BINDING 0   // deposit: cells, and the list of their parts; the sums lie at 2 to 7
 #define TUBE_PARTS_BINDING 1
+#define TUBE_EIKONAL_BINDING 2   // deposit of the eikonal, in place of the sums
 #define TUBE_SORT_RECORDS_BINDING 5  // sort_cells: the same two, beside the tracks
 #define TUBE_SORT_PARTS_BINDING 7
 #define TUBE_SETTINGS_BINDING 2  // uniform block
@@ -111,7 +112,8 @@ struct TubeJob {
 // A sub-cell over some steps: what the wavefront patch sweeps. Corners 0 to 3 before, 4 to 7 after them, in the order
 // (u0, v0), (u1, v0), (u0, v1), (u1, v1).
 struct TubeCell {
-    vec4 corners[8];  // position from the domain's lower corner [voxels]; w of the later four: arc length between [voxels]
+    vec4 corners[8];  // position from the domain's lower corner [voxels]; w of the later four: arc length between [voxels];
+                      // of the first two: optical path from the light before and after the steps [scene units]
     vec4 shares[8];   // share of the launched power that is left at the corners, by band
     vec4 volumes[2];  // at the corners: root of the volume per u, v and t over the relative power there [voxels^(3/2)]
     vec3 power;       // launched into the sub-cell, by band

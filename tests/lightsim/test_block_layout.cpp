@@ -67,7 +67,7 @@ test::Members launchFrameMembers() {
         EIKONAL_MEMBER(bake::LaunchFrame, axis), EIKONAL_MEMBER(bake::LaunchFrame, firstCell),
         EIKONAL_MEMBER(bake::LaunchFrame, profileAxis), EIKONAL_MEMBER(bake::LaunchFrame, profile),
         EIKONAL_MEMBER(bake::LaunchFrame, coneInner), EIKONAL_MEMBER(bake::LaunchFrame, coneOuter),
-        EIKONAL_MEMBER(bake::LaunchFrame, unusedA), EIKONAL_MEMBER(bake::LaunchFrame, unusedB)
+        EIKONAL_MEMBER(bake::LaunchFrame, pathBefore), EIKONAL_MEMBER(bake::LaunchFrame, unusedA)
     };
 }
 

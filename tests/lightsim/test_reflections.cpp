@@ -7,11 +7,10 @@
 namespace eikonal {
 namespace {
 
-constexpr double kWidthVoxels = 1.5;
-
 /// Index `inside` where `distance` is negative, boundaries smoothed.
-Fields glassFields(const Lattice& lattice, double inside, const std::function<double(const glm::dvec3&)>& distance) {
-    const double width = kWidthVoxels * lattice.voxel;
+Fields glassFields(const Lattice& lattice, double inside, const std::function<double(const glm::dvec3&)>& distance,
+                   double widthVoxels = 1.5) {
+    const double width = widthVoxels * lattice.voxel;
     Fields fields = test::indexFields(lattice, [&](const glm::dvec3& x) {
         return 1.0 + (inside - 1.0) * 0.5 * std::erfc(distance(x) / (std::sqrt(2.0) * width));
     });
@@ -132,6 +131,61 @@ TEST(Reflections, OfASphereCarryWhatFresnelSays) {
         odd += std::abs(added.at(v) - added.at(v.x, lattice.size.y - 1 - v.y, v.z));
     });
     EXPECT_LT(odd, 0.03 * sum);  // the mesh is symmetric too, but the sides of a cell are not always halved alike
+}
+
+/// A ray that enters a sharp sphere of radius 1 about the origin along +x, is reflected inside once and leaves.
+struct ReflectedInside {
+    glm::dvec2 exit;       // along the axis, across it
+    glm::dvec2 direction;  // unit
+};
+
+ReflectedInside throughDrop(double impact, double n) {
+    const double incidence = std::asin(impact), refraction = std::asin(impact / n);
+    // each chord turns the place by π - 2 refraction, each refraction the ray by incidence - refraction
+    const double place = -std::numbers::pi - incidence + 4.0 * refraction;
+    const double travel = -(std::numbers::pi + 2.0 * incidence - 4.0 * refraction);
+    return {{std::cos(place), std::sin(place)}, {std::cos(travel), std::sin(travel)}};
+}
+
+TEST(Reflections, InsideADropMakeTheRainbow) {
+    const double n = 1.333, radius = 0.5;
+    const glm::dvec3 centre(0.3, 0.0, 0.0);
+    const Lattice lattice = test::cube(48, 1.2);
+    const Fields fields = glassFields(lattice, n, [&](const glm::dvec3& x) { return glm::distance(x, centre) - radius; }, 1.0);
+    const BakeResult off = bakeBeam(fields, {1.0, 0.0, 0.0}, 0);
+    const BakeResult on = bakeBeam(fields, {1.0, 0.0, 0.0}, 1);
+    const DenseGrid<double> added = addedBy(on, off);
+
+    // across a plane in front of the drop, the fold of all rays that have been reflected inside
+    const glm::ivec3 plane = voxelAt(lattice, {-0.3, 0.0, 0.0});
+    const double planeX = (lattice.worldFromIndex(plane).x - centre.x) / radius;
+    double fold = 0.0;
+    double leastDeviation = 180.0;
+    for (double impact = 0.001; impact < 1.0; impact += 0.001) {
+        const ReflectedInside ray = throughDrop(impact, n);
+        leastDeviation = std::min(leastDeviation, glm::degrees(std::acos(ray.direction.x)));
+        if (ray.direction.x < 0.0 && ray.exit.x > planeX) {
+            const double along = (planeX - ray.exit.x) / ray.direction.x;
+            fold = std::max(fold, -radius * (ray.exit.y + along * ray.direction.y));
+        }
+    }
+    ASSERT_NEAR(leastDeviation, 180.0 - 42.08, 0.1);
+
+    glm::ivec3 brightest = plane;
+    for (int j = 0; j < lattice.size.y / 2; ++j) {
+        const glm::ivec3 voxel(plane.x, j, plane.z);
+        // the light in the middle is that of rays near the axis
+        if (lattice.worldFromIndex(voxel).y < -0.6 && added.at(voxel) > added.at(brightest)) {
+            brightest = voxel;
+        }
+    }
+    const auto fluxOf = [&](const BakeResult& result) {
+        return glm::dvec3(result.light.lightDirection.at(brightest)) * double(result.light.irradiance.at(brightest).x);
+    };
+    const glm::dvec3 flux = fluxOf(on) - fluxOf(off);
+    EXPECT_NEAR(-lattice.worldFromIndex(brightest).y, fold, 2.0 * lattice.voxel);
+    EXPECT_NEAR(glm::degrees(std::acos(flux.x / glm::length(flux))), leastDeviation, 4.0);
+    std::printf("fold %g found %g deviation %g added %g\n", fold, -lattice.worldFromIndex(brightest).y, glm::degrees(std::acos(flux.x / glm::length(flux))), added.at(brightest));
 }
 
 TEST(Reflections, KeepTheEnergyOfTheGrid) {
