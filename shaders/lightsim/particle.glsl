@@ -78,10 +78,10 @@ Particle leaveMirror(Particle particle) {
     Particle inside = particle;
     float n = sampleOptics(particle.x).n;
     vec3 farWave = particle.w / dot(particle.w, particle.w);
-    float across = dot(farWave, particle.normal);
-    vec3 tangential = farWave - particle.normal * across;
+    vec3 tangential = farWave - particle.normal * dot(farWave, particle.normal);
     float normalPart = sqrt(max(n * n - dot(tangential, tangential), 0.0));
-    inside.w = tangential + particle.normal * (across < 0.0 ? -normalPart : normalPart);
+    inside.w = tangential - particle.normal * (particle.sideAtStart * normalPart);
+    inside.sideAtStart = 0.0;  // the rest of this boundary is no crossing (physics/boundary.glsl)
     inside.status = PARTICLE_INSIDE;
     inside.nLast = n;
     return inside;
