@@ -49,8 +49,8 @@ TEST_P(InterfaceAt, LightsWhatIsInFront) {
     const glm::dvec2 flux((1.0 - r) * std::cos(angle), (1.0 + r) * std::sin(angle));
     for (const glm::dvec3& x : {glm::dvec3(-0.3, 0.5, 0.0), glm::dvec3(-0.35, 0.6, 0.3), glm::dvec3(-0.3, 0.4, -0.4)}) {
         const glm::ivec3 voxel = voxelAt(lattice, x);
-        // on either side of the band 0.3 % of the step is left: R is short by 2.4 %; direct light is even to 0.2 %
-        EXPECT_NEAR(result.light.irradiance.at(voxel).x, 1.0 + r, 0.024 * r + 0.002);
+        // on either side of the band 0.3 % of the step is left: R is short by 2.4 %; direct light is even to 0.5 %
+        EXPECT_NEAR(result.light.irradiance.at(voxel).x, 1.0 + r, 0.024 * r + 0.005);
         const glm::vec3 direction = result.light.lightDirection.at(voxel);
         // rays may be 0.15 voxel off across cells of eight
         EXPECT_NEAR(direction.x, flux.x / (1.0 + r), 0.01);
@@ -121,7 +121,8 @@ TEST(Reflections, OfASphereCarryWhatFresnelSays) {
     const BakeResult off = bakeBeam(fields, {1.0, 0.0, 0.0}, 0);
     const BakeResult on = bakeBeam(fields, {1.0, 0.0, 0.0}, 1);
     const double followed = on.statistics.energy.followed.x;
-    EXPECT_NEAR(off.statistics.energy.reflected.x, powerReflectedBySphere(0.6, 1.5), 0.01 * followed);
+    // rays that pass up to 1.03 radii off meet the smoothed rim too, where R is largest: a hundredth of the power
+    EXPECT_NEAR(off.statistics.energy.reflected.x, powerReflectedBySphere(0.6, 1.5), 0.02 * followed);
     // a third of it comes from the last voxel within the rim, where R rises to 1 between rays half a voxel apart
     EXPECT_NEAR(followed, off.statistics.energy.reflected.x, 0.04 * followed);
     EXPECT_NEAR(on.statistics.energy.balance().x, 0.0, 1e-4);
@@ -173,21 +174,21 @@ TEST(Reflections, InsideADropMakeTheRainbow) {
     }
     ASSERT_NEAR(leastDeviation, 180.0 - 42.08, 0.1);
 
-    glm::ivec3 brightest = plane;
-    for (int j = 0; j < lattice.size.y / 2; ++j) {
-        const glm::ivec3 voxel(plane.x, j, plane.z);
-        // the light in the middle is that of rays near the axis
-        if (lattice.worldFromIndex(voxel).y < -0.6 && added.at(voxel) > added.at(brightest)) {
-            brightest = voxel;
+    glm::ivec3 brightest(plane.x, 0, plane.z);
+    for (int j = 0; lattice.worldFromIndex({0, j, 0}).y < -0.8; ++j) {  // further in it is bright near the axis
+        if (added.at(plane.x, j, plane.z) > added.at(brightest)) {
+            brightest.y = j;
         }
     }
     const auto fluxOf = [&](const BakeResult& result) {
         return glm::dvec3(result.light.lightDirection.at(brightest)) * double(result.light.irradiance.at(brightest).x);
     };
     const glm::dvec3 flux = fluxOf(on) - fluxOf(off);
+    // a smoothed sphere turns a ray by up to 0.4 Δn b/R less or more at each of three boundaries: 2.3 degrees in all, which is
+    // a voxel at this distance
     EXPECT_NEAR(-lattice.worldFromIndex(brightest).y, fold, 2.0 * lattice.voxel);
+    EXPECT_LT(added.at(plane.x, 0, plane.z), 0.1 * added.at(brightest));  // dark beyond it
     EXPECT_NEAR(glm::degrees(std::acos(flux.x / glm::length(flux))), leastDeviation, 4.0);
-    std::printf("fold %g found %g deviation %g added %g\n", fold, -lattice.worldFromIndex(brightest).y, glm::degrees(std::acos(flux.x / glm::length(flux))), added.at(brightest));
 }
 
 TEST(Reflections, KeepTheEnergyOfTheGrid) {

@@ -123,6 +123,14 @@ static const std::vector<BadCase> kVolumeCases{
 static const std::vector<BadCase> kSceneCases{
     {"MethodThatIsNotThereYet", 3, "accuracy.directional",
      [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\n"); }},
+    {"ReflectionsWithoutTubes", 3, "accuracy.reflections",
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"splat\"\nreflections = 1\n"); }},
+    {"EikonalWithoutTubes", 3, "accuracy.deposit",
+     [](const TemporaryFolder& f) {
+         auto arguments = bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"peak\"\n");
+         arguments.push_back("--eikonal");
+         return arguments;
+     }},
     {"MissingScene", 3, "nowhere.toml",
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"bake", f.file("nowhere.toml"), "-o", f.file("out.vdb")};
