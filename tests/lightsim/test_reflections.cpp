@@ -150,6 +150,26 @@ ReflectedInside throughDrop(double impact, double n) {
     return {{std::cos(place), std::sin(place)}, {std::cos(travel), std::sin(travel)}};
 }
 
+/// Of all rays reflected inside a drop of radius 1, the furthest from the axis in the plane at `planeX`, and the least angle
+/// that any is turned by [degrees].
+struct Rainbow {
+    double fold = 0.0;
+    double leastDeviation = 180.0;
+};
+
+Rainbow rainbowOf(double n, double planeX) {
+    Rainbow rainbow;
+    for (double impact = 0.001; impact < 1.0; impact += 0.001) {
+        const ReflectedInside ray = throughDrop(impact, n);
+        rainbow.leastDeviation = std::min(rainbow.leastDeviation, glm::degrees(std::acos(ray.direction.x)));
+        if (ray.direction.x < 0.0 && ray.exit.x > planeX) {
+            const double along = (planeX - ray.exit.x) / ray.direction.x;
+            rainbow.fold = std::max(rainbow.fold, -(ray.exit.y + along * ray.direction.y));
+        }
+    }
+    return rainbow;
+}
+
 TEST(Reflections, InsideADropMakeTheRainbow) {
     const double n = 1.333, radius = 0.5;
     const glm::dvec3 centre(0.3, 0.0, 0.0);
@@ -159,20 +179,10 @@ TEST(Reflections, InsideADropMakeTheRainbow) {
     const BakeResult on = bakeBeam(fields, {1.0, 0.0, 0.0}, 1);
     const DenseGrid<double> added = addedBy(on, off);
 
-    // across a plane in front of the drop, the fold of all rays that have been reflected inside
+    // across a plane in front of the drop
     const glm::ivec3 plane = voxelAt(lattice, {-0.3, 0.0, 0.0});
-    const double planeX = (lattice.worldFromIndex(plane).x - centre.x) / radius;
-    double fold = 0.0;
-    double leastDeviation = 180.0;
-    for (double impact = 0.001; impact < 1.0; impact += 0.001) {
-        const ReflectedInside ray = throughDrop(impact, n);
-        leastDeviation = std::min(leastDeviation, glm::degrees(std::acos(ray.direction.x)));
-        if (ray.direction.x < 0.0 && ray.exit.x > planeX) {
-            const double along = (planeX - ray.exit.x) / ray.direction.x;
-            fold = std::max(fold, -radius * (ray.exit.y + along * ray.direction.y));
-        }
-    }
-    ASSERT_NEAR(leastDeviation, 180.0 - 42.08, 0.1);
+    const Rainbow rainbow = rainbowOf(n, (lattice.worldFromIndex(plane).x - centre.x) / radius);
+    ASSERT_NEAR(rainbow.leastDeviation, 180.0 - 42.08, 0.1);
 
     glm::ivec3 brightest(plane.x, 0, plane.z);
     for (int j = 0; lattice.worldFromIndex({0, j, 0}).y < -0.8; ++j) {  // further in it is bright near the axis
@@ -186,9 +196,9 @@ TEST(Reflections, InsideADropMakeTheRainbow) {
     const glm::dvec3 flux = fluxOf(on) - fluxOf(off);
     // a smoothed sphere turns a ray by up to 0.4 Δn b/R less or more at each of three boundaries: 2.3 degrees in all, which is
     // a voxel at this distance
-    EXPECT_NEAR(-lattice.worldFromIndex(brightest).y, fold, 2.0 * lattice.voxel);
+    EXPECT_NEAR(-lattice.worldFromIndex(brightest).y, radius * rainbow.fold, 2.0 * lattice.voxel);
     EXPECT_LT(added.at(plane.x, 0, plane.z), 0.1 * added.at(brightest));  // dark beyond it
-    EXPECT_NEAR(glm::degrees(std::acos(flux.x / glm::length(flux))), leastDeviation, 4.0);
+    EXPECT_NEAR(glm::degrees(std::acos(flux.x / glm::length(flux))), rainbow.leastDeviation, 4.0);
 }
 
 TEST(Reflections, KeepTheEnergyOfTheGrid) {

@@ -46,9 +46,7 @@ void offerPart(Part part) {
 
 void offerPart(Part part) {
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
-    mat3 d = derivativesIn(map, vec3(0.5));
-    vec3 extents = vec3(length(d[0]) + length(map.c110) + length(map.c101), length(d[1]) + length(map.c110) + length(map.c011),
-                        length(d[2]));
+    vec3 extents = lengthsOf(map);
     ivec3 counts = ivec3(clamp(ceil(extents * kPointsPerVoxel), vec3(1.0), vec3(float(kMostPoints))));
     float path = cells[part.cell].corners[0].w;
     float change = cells[part.cell].corners[1].w - path;
