@@ -25,8 +25,12 @@ std::vector<std::string> definesOf(const GpuFields& gpuFields, int bands) {
     return defines;
 }
 
-BakedLight darkness(const Lattice& lattice) {
-    return {lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
+BakedLight darkness(const Lattice& lattice, bool hasEikonal) {
+    BakedLight dark{lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
+    if (hasEikonal) {
+        dark.eikonal = DenseGrid<float>(lattice.size, kUnreached);
+    }
+    return dark;
 }
 
 } // namespace
@@ -96,7 +100,7 @@ LightSimulator::Device& LightSimulator::deviceFor(int bands, const bake::LaunchG
 
 BakeResult LightSimulator::bake(const LightSet& lights) {
     const auto start = Clock::now();
-    BakeResult result{darkness(fields_.lattice), {}, {}};
+    BakeResult result{darkness(fields_.lattice, options_.eikonal), {}, {}};
     result.statistics.device = context_.rendererName();
     const bake::LaunchGrids grids =
         bake::launchGrids(lights, fields_.lattice, criteria_->maxSide, criteria_->splitShare);

@@ -30,6 +30,7 @@ struct BakeOptions {
     std::uint32_t poolPatches = 16384;  ///< patches alive at a time; any number >= 8 gives the same grids
     std::uint32_t tubeVertices = 65536;  ///< rays in memory at a time; any number that one launch cell needs gives the same grids
     std::size_t maxBlockBytes = 0;      ///< largest storage block; 0: the device's limit. Smaller ones take more passes
+    bool eikonal = false;               ///< the bake holds the eikonal too; deposits `auto` and `cells` only
     std::function<void(double fraction)> progress;  ///< called now and then with the share of the light launched
 };
 
@@ -42,6 +43,7 @@ struct EnergyLedger {
     glm::dvec3 scattered{0.0};
     glm::dvec3 exited{0.0};
     glm::dvec3 reflected{0.0};  ///< at boundaries, and not followed
+    glm::dvec3 followed{0.0};   ///< at boundaries, and followed: it is part of what was absorbed, scattered, exited or reflected
     glm::dvec3 culled{0.0};     ///< below the energy threshold, at the step limit, or (2007 method) folded
     glm::dvec3 depositedAbsorbed{0.0};   ///< Σ σ_a E V of the written grid: should equal absorbed - absorbedOpaque
     glm::dvec3 depositedScattered{0.0};  ///< Σ σ_s E V of the written grid: should equal scattered

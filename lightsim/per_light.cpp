@@ -21,6 +21,16 @@ void addLight(BakedLight& sum, const BakedLight& more) {
     }
 }
 
+/// The light that comes first counts.
+void addEikonal(DenseGrid<float>& least, const DenseGrid<float>& more) {
+    for (std::size_t i = 0; i < least.values.size(); ++i) {
+        const float path = more.values[i];
+        if (path != kUnreached && (least.values[i] == kUnreached || path < least.values[i])) {
+            least.values[i] = path;
+        }
+    }
+}
+
 void addStatistics(BakeStatistics& sum, const BakeStatistics& more) {
     sum.seconds.upload += more.seconds.upload;
     sum.seconds.propagate += more.seconds.propagate;
@@ -44,6 +54,7 @@ BakeResult bakePerLight(LightSimulator& simulator, const LightSet& lights) {
     for (const NamedLightSet& single : singleLights(lights)) {
         BakeResult one = simulator.bake(single.lights);
         addLight(sum.light, one.light);
+        addEikonal(sum.light.eikonal, one.light.eikonal);
         addStatistics(sum.statistics, one.statistics);
         sum.parts.push_back({single.name, std::move(one.light)});
     }

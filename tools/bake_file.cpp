@@ -59,9 +59,16 @@ void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const 
     }
     std::vector<NamedGrid> grids{{.name = "irradiance", .values = &result.light.irradiance},
                                  {.name = "light_direction", .values = &result.light.lightDirection}};
+    const auto addEikonal = [&grids](const DenseGrid<float>& values, const std::string& name) {
+        if (!values.empty()) {
+            grids.push_back({.name = name, .values = &values, .background = glm::vec3(kUnreached)});
+        }
+    };
+    addEikonal(result.light.eikonal, "eikonal");
     for (const NamedLight& part : result.parts) {
         grids.push_back({.name = "irradiance_" + part.name, .values = &part.light.irradiance});
         grids.push_back({.name = "light_direction_" + part.name, .values = &part.light.lightDirection});
+        addEikonal(part.light.eikonal, "eikonal_" + part.name);
     }
     const LobeGrids lobes(result.light);
     const std::vector<NamedGrid> lobeGrids = lobes.named();

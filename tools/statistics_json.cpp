@@ -19,6 +19,7 @@ nlohmann::json energyJson(const EnergyLedger& energy) {
         {"scattered", byBand(energy.scattered)},
         {"exited", byBand(energy.exited)},
         {"reflected", byBand(energy.reflected)},
+        {"followed", byBand(energy.followed)},
         {"culled", byBand(energy.culled)},
         {"balance", byBand(energy.balance())},
         {"deposited_absorbed", byBand(energy.depositedAbsorbed)},

@@ -47,6 +47,9 @@ Light gathered(Part part, CornerLight corners, Trilinear map, mat3 inverseMiddle
         vec3 q = invertedIn(map, x, guess + 0.5);
         if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0)))) {
             vec3 place = placeInCell(part, q);
+            if (!isPastMirror(part.cell, place)) {
+                continue;
+            }
             mat3 d = derivativesIn(map, q);
             float own = abs(determinant(d)) * float(part.cuts.x * part.cuts.y * part.cuts.z);
             vec3 powerLength = powerLengthAt(corners, place) / (volumeAt(part.cell, place, own) * float(n * n * n));
