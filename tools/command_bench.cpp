@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/bench/bench_accuracy.h"
 #include "tools/bench/bench_effects.h"
 #include "tools/bench/bench_speed.h"
 
@@ -10,6 +11,7 @@ namespace eikonal {
 void addBenchCommand(CLI::App& program, const ProgramOptions& options) {
     CLI::App* command = program.add_subcommand("bench", "measurements of this program on this machine");
     command->require_subcommand(1);
+    addBenchAccuracy(*command, options);
     addBenchSpeed(*command, options);
     addBenchEffects(*command, options);
 }

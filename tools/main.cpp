@@ -15,6 +15,7 @@
 #include "tools/command_info.h"
 #include "tools/command_render.h"
 #include "tools/command_trace.h"
+#include "tools/command_view.h"
 #include "tools/command_voxelize.h"
 #include "tools/program.h"
 
@@ -32,8 +33,10 @@ void addCommands(CLI::App& program, eikonal::ProgramOptions& options) {
     eikonal::addVoxelizeCommand(program, options);
     eikonal::addBakeCommand(program, options);
     eikonal::addRenderCommand(program, options);
+    eikonal::addViewCommand(program, options);
     eikonal::addTraceCommand(program, options);
     eikonal::addInfoCommand(program, options);
+    eikonal::addBenchCommand(program, options);
     eikonal::addFigureCommand(program, options);
     eikonal::addBenchCommand(program, options);
 }

@@ -18,6 +18,12 @@ void Accumulate::bind() const {
     counters_.bindStorage(gpu::kStorageCounters);
 }
 
+gpu::FilmPixel Accumulate::pixel(std::size_t index) const {
+    gpu::FilmPixel pixel;
+    film_.downloadBytes(index * sizeof pixel, &pixel, sizeof pixel);
+    return pixel;
+}
+
 RayCounts Accumulate::counts() const {
     const auto words = counters_.download<std::uint32_t>(8);
     const auto count = [&](std::size_t i) { return words[2 * i] + (std::uint64_t(words[2 * i + 1]) << 32); };

@@ -25,6 +25,7 @@ public:
     void run(const RayBatch& batch) const { kernel_.dispatch(batch.groups()); }
     /// The first pixels of the film.
     std::vector<gpu::FilmPixel> film(std::size_t pixels) const { return film_.download<gpu::FilmPixel>(pixels); }
+    gpu::FilmPixel pixel(std::size_t index) const;
     RayCounts counts() const;
     std::size_t filmBytes() const { return film_.bytes(); }
 

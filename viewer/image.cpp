@@ -44,7 +44,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       batch_(context, options.tileRays),
       generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
       stepVoxels_(stepVoxelsOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context),
-      toneMap_(context, scene.render.toneMap) {
+      toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
     view.minThroughput = float(options.minThroughput);
@@ -115,30 +115,50 @@ void ProgressiveImage::bind() {
     batch_.bind();
 }
 
-bool ProgressiveImage::addRays(std::size_t most) {
+void ProgressiveImage::mark(std::string_view pass) const {
+    if (timer_) timer_->mark(pass);
+}
+
+std::size_t ProgressiveImage::addRays(std::size_t most) {
     const std::size_t count = std::clamp<std::size_t>(most, 1, options_.tileRays);
     const viewer::Tile tile = viewer::nextTile(region_, pixelsDone_, count);
     viewer::configureTile(batch_.view, tile, pixelsDone_);
     viewer::configureSample(batch_.view, sample_, options_.filter);
     bind();
+    mark("generate");
     generate_.run(batch_);
+    mark("march");
     march().run(batch_);
+    mark("shade");
     shade_.run(batch_);
+    mark("accumulate");
     accumulate_.run(batch_);
+    mark({});
     pixelsDone_ += tile.pixels();
-    if (pixelsDone_ < region_.pixels()) return false;
-    ++sample_;
-    pixelsDone_ = 0;
-    return true;
+    if (pixelsDone_ == region_.pixels()) {
+        ++sample_;
+        pixelsDone_ = 0;
+    }
+    return tile.pixels();
 }
 
-double ProgressiveImage::sampleProgress() const { return double(pixelsDone_) / double(std::max<std::size_t>(region_.pixels(), 1)); }
+double ProgressiveImage::sampleProgress() const {
+    return double(pixelsDone_) / double(std::max<std::size_t>(region_.pixels(), 1));
+}
 
 std::vector<glm::vec4> ProgressiveImage::display() {
     viewer::configureTile(batch_.view, region_, 0);
     bind();
     toneMap_.run(batch_);
     return toneMap_.display(region_.pixels());
+}
+
+void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Texture2D& picture) {
+    viewer::configureTile(batch_.view, region_, 0);
+    bind();
+    mark("paint");
+    painter_.run(batch_, look, picture);
+    mark({});
 }
 
 std::vector<std::pair<std::string, std::size_t>> ProgressiveImage::textures() const {

@@ -5,11 +5,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "common/baked_light.h"
 #include "common/effects.h"
+#include "common/gpu/pass_timer.h"
 #include "common/gpu_fields.h"
 #include "viewer/accumulate.h"
 #include "viewer/clearance.h"
@@ -17,6 +19,7 @@
 #include "viewer/generate.h"
 #include "viewer/light.h"
 #include "viewer/march.h"
+#include "viewer/picture.h"
 #include "viewer/render_options.h"
 #include "viewer/shade.h"
 #include "viewer/tone_map.h"
@@ -40,9 +43,10 @@ public:
     /// Factor 2^ev on what is displayed; the film stays.
     void setExposure(double ev);
 
-    /// Follows the next rays of the sample under way, at most `most` of them and never more than options.tileRays. True:
-    /// that sample is complete now.
-    bool addRays(std::size_t most);
+    /// Follows the next rays of the sample under way, at most `most` of them and never more than options.tileRays nor than
+    /// complete the sample. How many they were.
+    std::size_t addRays(std::size_t most);
+    std::size_t mostRays() const { return options_.tileRays; }
     /// Samples that every pixel has; the film is their mean.
     int samples() const { return sample_; }
     /// Share of the sample under way that is done, 0 to 1.
@@ -51,8 +55,14 @@ public:
     const viewer::Tile& region() const { return region_; }
     const glm::ivec2& frameSize() const { return batch_.view.imageSize; }
     std::vector<gpu::FilmPixel> film() const { return accumulate_.film(region_.pixels()); }
+    /// One pixel of the region, counted row after row.
+    gpu::FilmPixel filmPixel(std::size_t index) const { return accumulate_.pixel(index); }
     /// Tone-mapped, sRGB-encoded values of the region.
     std::vector<glm::vec4> display();
+    /// The region as a texture of its size.
+    void paint(const viewer::LookSettings& look, const gpu::Texture2D& picture);
+    /// Marks the passes of what follows; nullptr: none.
+    void setTimer(gpu::PassTimer* timer) { timer_ = timer; }
     viewer::RayCounts counts() const { return accumulate_.counts(); }
     std::vector<std::pair<std::string, std::size_t>> textures() const;
     std::size_t bufferBytes() const;
@@ -62,6 +72,7 @@ private:
     std::vector<std::string> allDefines() const;
     viewer::March& march();
     void bind();
+    void mark(std::string_view pass) const;
 
     const gpu::Context& context_;
     RenderOptions options_;
@@ -78,6 +89,8 @@ private:
     viewer::Shade shade_;
     viewer::Accumulate accumulate_;
     viewer::ToneMapper toneMap_;
+    viewer::PicturePainter painter_;
+    gpu::PassTimer* timer_ = nullptr;
     viewer::Tile region_;
     int sample_ = 0;
     std::size_t pixelsDone_ = 0;  ///< of the sample under way

@@ -27,6 +27,13 @@ std::uint32_t samplesPerHalfOf(double stepVoxels) {
     return stepVoxels <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * stepVoxels, 256.0)));
 }
 
+/// Loop iterations of a step: its own, and of each sample of matter one and those over the voxels about it.
+std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::uint32_t samplesPerHalf) {
+    constexpr std::uint32_t kVoxelsAbout = 8;
+    const bool hasLobes = std::find(defines.begin(), defines.end(), "LIGHT_LOBES") != defines.end();
+    return 1 + 2 * samplesPerHalf + (hasLobes ? std::max(2 * samplesPerHalf, 1u) * kVoxelsAbout : 0);
+}
+
 std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& lattice) {
     if (settings.maxEvaluations > 0) return settings.maxEvaluations;
     const double diagonalSteps = glm::length(glm::dvec3(lattice.size)) / settings.stepVoxels;

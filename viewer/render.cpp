@@ -81,24 +81,28 @@ RenderResult renderScene(const gpu::Context& context, const Scene& scene, const 
     RenderOptions imageOptions = options;
     imageOptions.tileRays = regions.empty() ? 0 : regions.front().pixels();
     ProgressiveImage image(context, scene, fields, effects, bake, imageOptions);
-    RenderResult result = blankResult(scene.render.size);
     const double setupSeconds = secondsSince(start);
-
-    const double allRays = double(result.display.size()) * scene.render.samples;
-    for (const Tile& region : regions) {
-        image.setFrame(scene.render.size, region);
-        while (image.samples() < scene.render.samples) {
-            image.addRays(region.pixels());
-            result.statistics.rays += region.pixels();
-            if (options.progress) options.progress(double(result.statistics.rays) / allRays);
-        }
-        collectRegion(image, result);
-    }
+    RenderResult result = renderFrame(image, scene.render, options.progress);
     count(image, context, result.statistics);
     context.throwIfError();
     const double totalSeconds = secondsSince(start);
     result.statistics.seconds = {
         {"setup", setupSeconds}, {"image", totalSeconds - setupSeconds}, {"total", totalSeconds}};
+    return result;
+}
+
+RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings,
+                         const std::function<void(double)>& progress) {
+    RenderResult result = blankResult(settings.size);
+    const double allRays = double(result.display.size()) * settings.samples;
+    for (const Tile& region : viewer::tilesOf(settings.size, image.mostRays())) {
+        image.setFrame(settings.size, region);
+        while (image.samples() < settings.samples) {
+            result.statistics.rays += image.addRays(region.pixels());
+            if (progress) progress(double(result.statistics.rays) / allRays);
+        }
+        collectRegion(image, result);
+    }
     return result;
 }
 

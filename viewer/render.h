@@ -1,6 +1,7 @@
 #pragma once
 // An image of a scene without a window: generate, march, shade, accumulate, tone-map.
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,6 +51,11 @@ struct RenderResult {
 /// for grids beyond the device.
 RenderResult renderScene(const gpu::Context& context, const Scene& scene, const Fields& fields,
                          const EffectSet& effects, const BakedLight* bake, const RenderOptions& options = {});
+
+/// All samples of a frame, region after region, so that a film of any size fits the device. `progress`: as in RenderOptions.
+/// Statistics hold the rays only.
+RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings,
+                         const std::function<void(double)>& progress);
 
 /// The channels and the display of an image whose region is its whole frame, without statistics.
 RenderResult readImage(ProgressiveImage& image);

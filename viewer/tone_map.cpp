@@ -2,9 +2,7 @@
 
 namespace eikonal::viewer {
 
-namespace {
-
-std::vector<std::string> curveDefines(ToneMap curve) {
+std::vector<std::string> toneDefines(ToneMap curve) {
     switch (curve) {
         case ToneMap::kAgx: return {"TONE_AGX"};
         case ToneMap::kReinhard: return {"TONE_REINHARD"};
@@ -13,10 +11,8 @@ std::vector<std::string> curveDefines(ToneMap curve) {
     return {};
 }
 
-} // namespace
-
 ToneMapper::ToneMapper(const gpu::Context& context, ToneMap curve)
-    : kernel_(context, "viewer/tone_map.comp.glsl", curveDefines(curve)), display_(context, 0, "display") {}
+    : kernel_(context, "viewer/tone_map.comp.glsl", toneDefines(curve)), display_(context, 0, "display") {}
 
 void ToneMapper::reserve(const gpu::Context& context, std::size_t pixels) {
     const std::size_t bytes = pixels * sizeof(glm::vec4);

@@ -1,10 +1,16 @@
 #pragma once
 // Last step: the film as display-encoded values.
 
+#include <string>
+#include <vector>
+
 #include "common/scene.h"
 #include "viewer/ray_batch.h"
 
 namespace eikonal::viewer {
+
+/// What kernels that include physics/tone.glsl are compiled with for a curve.
+std::vector<std::string> toneDefines(ToneMap curve);
 
 class ToneMapper {
 public:

@@ -75,13 +75,42 @@ void Walk::meetBoundary(const glm::dvec3& w, const Optics& optics, bool inBand) 
     crossing_ = f64::crossingAfter(crossing_, inBand, w, optics.n, optics.gradN);
 }
 
+/// Irradiance times phase function, summed over the lobes of a voxel.
+glm::dvec3 phasedVoxel(const BakedLight& light, const glm::ivec3& voxel, const glm::dvec3& direction, double g) {
+    const VoxelLobes* row = light.lobes.find(std::uint32_t(light.irradiance.offset(voxel.x, voxel.y, voxel.z)));
+    const VoxelLobes whole{LightLobe{light.irradiance.at(voxel), light.lightDirection.at(voxel)}};
+    glm::dvec3 sum(0.0);
+    for (const LightLobe& lobe : row ? *row : whole) {
+        sum += glm::dvec3(lobe.irradiance) * f64::phaseOfFlux(direction, glm::dvec3(lobe.direction), g);
+    }
+    return sum;
+}
+
+bool hasLobes(const BakedLight& light, const glm::dvec3& x) {
+    bool found = false;
+    forEachVoxelAbout(light.lattice, x, [&](const glm::ivec3& v, double weight) {
+        found = found || (weight > 0.0 && light.lobes.find(std::uint32_t(light.irradiance.offset(v.x, v.y, v.z))) != nullptr);
+    });
+    return found;
+}
+
+/// The same at a place: of interpolated moments, or interpolated where lobes are near.
+glm::dvec3 phasedLight(const BakedLight& light, const glm::dvec3& x, const glm::dvec3& direction, double g) {
+    if (light.lobes.empty() || !hasLobes(light, x))
+        return trilinear(light.irradiance, light.lattice, x) *
+               f64::phaseOfFlux(direction, trilinear(light.lightDirection, light.lattice, x), g);
+    glm::dvec3 sum(0.0);
+    forEachVoxelAbout(light.lattice, x, [&](const glm::ivec3& voxel, double weight) {
+        sum += weight * phasedVoxel(light, voxel, direction, g);
+    });
+    return sum;
+}
+
 /// Radiance per scene unit that the baked light sends into the ray.
 glm::dvec3 Walk::scattered(const glm::dvec3& x, const glm::dvec3& direction) const {
     if (!scene_.light)
         return glm::dvec3(0.0);
-    const glm::dvec3 irradiance = trilinear(scene_.light->irradiance, scene_.light->lattice, x);
-    const glm::dvec3 flux = trilinear(scene_.light->lightDirection, scene_.light->lattice, x);
-    return field_.sigmaS(x) * irradiance * f64::phaseOfFlux(direction, flux, field_.anisotropy(x));
+    return field_.sigmaS(x) * phasedLight(*scene_.light, x, direction, field_.anisotropy(x));
 }
 
 /// A piece of length ds through constants taken at x.

@@ -18,7 +18,7 @@
 vec3 scatteredRadiance(vec3 x, vec3 direction, vec4 sigmaS) {
 #ifdef BAKED_LIGHT
     if (max(sigmaS.r, max(sigmaS.g, sigmaS.b)) > 0.0) {
-        return sigmaS.rgb * sampleIrradiance(x) * phaseOfFlux(direction, sampleLightDirection(x), sigmaS.a);
+        return sigmaS.rgb * phasedIrradiance(x, direction, sigmaS.a);
     }
 #endif
     return vec3(0.0);

@@ -1,5 +1,6 @@
 // Both languages lay out the structs that the viewer's stages share alike.
 #include "shaders/shared/domain_block.h"
+#include "shaders/shared/look_block.h"
 #include "shaders/shared/view_blocks.h"
 #include "tests/support/block_layout.h"
 #include "tests/support/synthetic_fields.h"
@@ -73,6 +74,16 @@ TEST(BlockLayout, OfTheMarchIsTheCompilers) {
     const auto domain = test::uniformBlockLayout(march, "DomainBlock");
     EXPECT_EQ(domain.members, domainBlockMembers());
     EXPECT_EQ(domain.bytes, sizeof(gpu::DomainBlock));
+}
+
+TEST(BlockLayout, OfALookIsTheCompilers) {
+    const gpu::Kernel picture(test::sharedContext(), "viewer/picture.comp.glsl", {"LOOK_SLICE", "LOOK_INDEX"});
+    const auto look = test::uniformBlockLayout(picture, "LookBlock");
+    const test::Members members{
+        EIKONAL_MEMBER(gpu::LookBlock, sliceAxis), EIKONAL_MEMBER(gpu::LookBlock, slicePosition),
+        EIKONAL_MEMBER(gpu::LookBlock, lowest), EIKONAL_MEMBER(gpu::LookBlock, highest)};
+    EXPECT_EQ(look.members, members);
+    EXPECT_EQ(look.bytes, sizeof(gpu::LookBlock));
 }
 
 TEST(BlockLayout, OfTheFilmIsTheCompilers) {

@@ -165,6 +165,25 @@ TEST(ImageReference, AgreesOnOpaqueMatterInSmokeAndAlone) {
     expectAgreement(only(boxInSmoke(), {Effect::kOpaque}), kRoundingAtSurfaces);
 }
 
+/// In every other layer of voxels the light comes as two or three lobes, about as bright as without.
+void giveLobes(BakedLight& light) {
+    for (std::uint32_t voxel = 0; voxel < light.irradiance.values.size(); ++voxel) {
+        const glm::vec3 whole = light.irradiance.values[voxel], direction = light.lightDirection.values[voxel];
+        if (voxel / std::uint32_t(light.lattice.size.x) % 4 < 2) {
+            light.lobes.voxels.push_back(voxel);
+            const LightLobe third{voxel % 2 == 0 ? 0.1f * whole : glm::vec3(0.0f), glm::vec3(0.0f, 0.5f, 0.5f)};
+            light.lobes.rows.push_back(
+                {LightLobe{0.6f * whole, direction}, LightLobe{0.3f * whole, glm::vec3(0.9f, 0.1f, 0.0f)}, third});
+        }
+    }
+}
+
+TEST(ImageReference, AgreesOnLightOfSeveralLobes) {
+    Setting setting = glassInSmoke();
+    giveLobes(setting.light);
+    expectAgreement(setting, kRounding);
+}
+
 TEST(ImageReference, AgreesWithACameraInsideGlass) {
     Setting setting = glassInSmoke();
     setting.scene.camera.position = {0.1, 0.05, 0.3};

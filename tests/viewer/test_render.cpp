@@ -139,6 +139,29 @@ TEST(Render, ScatteringSlabAgreesWithTheClosedForm) {
     EXPECT_NEAR(image.radiance(0, 0).g, exact, 0.02 * exact);
 }
 
+TEST(Render, CrossingBeamsInFogAgreeWithTheClosedForm) {
+    const Lattice lattice = test::cube(32, 1.0);
+    const double thickness = 0.8, sigma = 1.5, g = 0.7;
+    Fields fields = test::uniformFields(lattice);
+    fields.sigmaS = test::boxGrid(lattice, {-1.0, -1.0, -0.4}, {1.0, 1.0, 0.4}, glm::vec3(float(sigma)));
+    fields.anisotropy = DenseGrid<float>(lattice.size, float(g));
+    const glm::dvec3 first = glm::normalize(glm::dvec3(1.0, 0.0, 0.8)), second = glm::normalize(glm::dvec3(-1.0, 0.3, 0.2));
+    BakedLight bake = constantLight(lattice, glm::vec3(3.0f), glm::vec3((2.0 * first + second) / 3.0));
+    const Scene scene = test::plainScene(glm::dvec3(0.0), 30.0, 0.5, 1);
+    const double ofMean = rendered(scene, fields, &bake).radiance(0, 0).g;
+    for (std::uint32_t voxel = 0; voxel < lattice.count(); ++voxel) {
+        bake.lobes.voxels.push_back(voxel);
+        bake.lobes.rows.push_back(
+            {LightLobe{glm::vec3(2.0f), glm::vec3(first)}, LightLobe{glm::vec3(1.0f), glm::vec3(second)}});
+    }
+    const double exact = (2.0 * f64::henyeyGreenstein(first.z, g) + f64::henyeyGreenstein(second.z, g)) *
+                         (1.0 - std::exp(-sigma * thickness));
+    const RenderResult image = rendered(scene, fields, &bake);
+    EXPECT_NEAR(image.radiance(0, 0).g, exact, 0.02 * exact);  // as much as a slab under one beam
+    EXPECT_GT(std::abs(ofMean - exact), 0.2 * exact);          // one direction in place of two is that far off
+    EXPECT_EQ(image.statistics.textures.back().first, "lobes");
+}
+
 TEST(Render, LightScatteredInGlassIsDimmerByTheSquareOfTheIndex) {
     const Lattice lattice = test::cube(64, 1.0);
     const double n = 1.5;
