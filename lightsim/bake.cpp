@@ -7,6 +7,8 @@
 #include "lightsim/emit.h"
 #include "lightsim/ledger.h"
 #include "lightsim/light_method.h"
+#include "lightsim/light_sums.h"
+#include "lightsim/lobes.h"
 #include "lightsim/settings.h"
 
 namespace eikonal {
@@ -23,8 +25,12 @@ std::vector<std::string> definesOf(const GpuFields& gpuFields, int bands) {
     return defines;
 }
 
-BakedLight darkness(const Lattice& lattice) {
-    return {lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
+BakedLight darkness(const Lattice& lattice, bool hasEikonal) {
+    BakedLight dark{lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
+    if (hasEikonal) {
+        dark.eikonal = DenseGrid<float>(lattice.size, kUnreached);
+    }
+    return dark;
 }
 
 } // namespace
@@ -56,24 +62,35 @@ struct LightSimulator::Device {
         }
         result.statistics.patches = method->counts();
     }
+
+    void bakeLobes(const gpu::Context& context, const bake::LobeCriterion& criterion, const bake::LobePlan& plan,
+                   const BakeOptions& options, BakeResult& result) {
+        const auto start = Clock::now();
+        result.light.lobes = bake::lobesOf(context, *method, criterion, plan, result.light, options.progress);
+        result.statistics.lobeVoxels = result.light.lobes.voxels.size();
+        result.statistics.seconds.lobes = secondsSince(start);
+    }
 };
 
 LightSimulator::LightSimulator(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                const EffectSet& effects, const BakeOptions& options)
     : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options),
-      criteria_(std::make_unique<bake::Criteria>(bake::criteriaOf(scene.accuracy, fields))) {}
+      criteria_(std::make_unique<bake::Criteria>(bake::criteriaOf(scene.accuracy, fields))),
+      lobeCriterion_(std::make_unique<bake::LobeCriterion>(scene.accuracy, fields, effects)) {}
 
 LightSimulator::~LightSimulator() = default;
+
+std::size_t LightSimulator::blockBytes() const {
+    return options_.maxBlockBytes > 0 ? options_.maxBlockBytes : context_.limits().maxStorageBlockBytes;
+}
 
 LightSimulator::Device& LightSimulator::deviceFor(int bands, const bake::LaunchGrids& grids,
                                                   const bake::BakeSettings& settings) {
     if (!device_ || device_->bands != bands) {
-        const std::size_t blockBytes =
-            options_.maxBlockBytes > 0 ? options_.maxBlockBytes : context_.limits().maxStorageBlockBytes;
         device_.reset();  // the old one's memory before the new one's
         device_ = std::make_unique<Device>(Device{GpuFields(context_, fields_, effects_), bands, nullptr});
         device_->method =
-            bake::makeMethod(context_, {fields_, accuracy_, definesOf(device_->fields, bands), bands, blockBytes}, options_,
+            bake::makeMethod(context_, {fields_, accuracy_, definesOf(device_->fields, bands), bands, blockBytes()}, options_,
                              grids, settings);
     }
     device_->fields.bind();
@@ -83,7 +100,7 @@ LightSimulator::Device& LightSimulator::deviceFor(int bands, const bake::LaunchG
 
 BakeResult LightSimulator::bake(const LightSet& lights) {
     const auto start = Clock::now();
-    BakeResult result{darkness(fields_.lattice), {}, {}};
+    BakeResult result{darkness(fields_.lattice, options_.eikonal), {}, {}};
     result.statistics.device = context_.rendererName();
     const bake::LaunchGrids grids =
         bake::launchGrids(lights, fields_.lattice, criteria_->maxSide, criteria_->splitShare);
@@ -94,6 +111,8 @@ BakeResult LightSimulator::bake(const LightSet& lights) {
         result.statistics.memoryBytes = device.bytes();
         result.statistics.seconds.upload = secondsSince(start);
         device.bakeSlabs(fields_, options_, result);
+        device.bakeLobes(context_, *lobeCriterion_,
+                         {fields_, bake::depositUnit(settings, fields_.lattice), device.bands, blockBytes()}, options_, result);
         bake::readLedger(device.method->ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
         bake::integrateDeposits(fields_, bake::usesPatches(accuracy_) ? bake::VoxelMean::kHat : bake::VoxelMean::kCube, result.light,
                                 result.statistics.energy);

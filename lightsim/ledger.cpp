@@ -17,7 +17,7 @@ glm::dvec3 EnergyLedger::balance() const {
 EnergyLedger& EnergyLedger::operator+=(const EnergyLedger& other) {
     for (const auto row : {&EnergyLedger::emitted, &EnergyLedger::entered, &EnergyLedger::absorbed,
                            &EnergyLedger::absorbedOpaque, &EnergyLedger::scattered, &EnergyLedger::exited,
-                           &EnergyLedger::reflected, &EnergyLedger::culled, &EnergyLedger::depositedAbsorbed,
+                           &EnergyLedger::reflected, &EnergyLedger::followed, &EnergyLedger::culled, &EnergyLedger::depositedAbsorbed,
                            &EnergyLedger::depositedScattered}) {
         this->*row += other.*row;
     }
@@ -41,7 +41,8 @@ void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger) {
     ledger.absorbed = row(LEDGER_ABSORBED) + ledger.absorbedOpaque;
     ledger.scattered = row(LEDGER_SCATTERED);
     ledger.exited = row(LEDGER_EXITED);
-    ledger.reflected = row(LEDGER_REFLECTED);
+    ledger.followed = row(LEDGER_FOLLOWED);
+    ledger.reflected = row(LEDGER_REFLECTED) - ledger.followed;
     ledger.culled = row(LEDGER_CULLED);
 }
 

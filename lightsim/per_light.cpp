@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "lightsim/lobes.h"
+
 namespace eikonal {
 
 namespace {
-
-double overBands(const glm::vec3& irradiance) {
-    return double(irradiance.x) + double(irradiance.y) + double(irradiance.z);
-}
 
 /// Irradiances add; light directions by their flux, which is the direction times the irradiance of all bands.
 void addLight(BakedLight& sum, const BakedLight& more) {
@@ -23,9 +21,20 @@ void addLight(BakedLight& sum, const BakedLight& more) {
     }
 }
 
+/// The light that comes first counts.
+void addEikonal(DenseGrid<float>& least, const DenseGrid<float>& more) {
+    for (std::size_t i = 0; i < least.values.size(); ++i) {
+        const float path = more.values[i];
+        if (path != kUnreached && (least.values[i] == kUnreached || path < least.values[i])) {
+            least.values[i] = path;
+        }
+    }
+}
+
 void addStatistics(BakeStatistics& sum, const BakeStatistics& more) {
     sum.seconds.upload += more.seconds.upload;
     sum.seconds.propagate += more.seconds.propagate;
+    sum.seconds.lobes += more.seconds.lobes;
     sum.seconds.read += more.seconds.read;
     sum.seconds.total += more.seconds.total;
     sum.patches.peak = std::max(sum.patches.peak, more.patches.peak);
@@ -45,9 +54,12 @@ BakeResult bakePerLight(LightSimulator& simulator, const LightSet& lights) {
     for (const NamedLightSet& single : singleLights(lights)) {
         BakeResult one = simulator.bake(single.lights);
         addLight(sum.light, one.light);
+        addEikonal(sum.light.eikonal, one.light.eikonal);
         addStatistics(sum.statistics, one.statistics);
         sum.parts.push_back({single.name, std::move(one.light)});
     }
+    sum.light.lobes = bake::summedLobes(simulator.lobeCriterion(), sum.parts, sum.light);
+    sum.statistics.lobeVoxels = sum.light.lobes.voxels.size();
     return sum;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Bakes as VDB files: grids `irradiance` and `light_direction`, the same for each light where a bake holds them apart
-// (`irradiance_light0`, ...), and metadata that says what they were baked from.
+// (`irradiance_light0`, ...), lobes where it has them (tools/lobe_grids.h), and metadata that says what they were baked from.
 
 #include <filesystem>
 #include <optional>

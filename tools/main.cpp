@@ -10,6 +10,7 @@
 #include "common/error.h"
 #include "common/interrupt.h"
 #include "tools/command_bake.h"
+#include "tools/command_bench.h"
 #include "tools/command_figure.h"
 #include "tools/command_info.h"
 #include "tools/command_render.h"
@@ -35,7 +36,9 @@ void addCommands(CLI::App& program, eikonal::ProgramOptions& options) {
     eikonal::addViewCommand(program, options);
     eikonal::addTraceCommand(program, options);
     eikonal::addInfoCommand(program, options);
+    eikonal::addBenchCommand(program, options);
     eikonal::addFigureCommand(program, options);
+    eikonal::addBenchCommand(program, options);
 }
 
 ExitCode parseAndRun(int argc, char** argv) {

@@ -4,7 +4,7 @@ namespace eikonal::viewer {
 
 Accumulate::Accumulate(const gpu::Context& context)
     : kernel_(context, "viewer/accumulate.comp.glsl", {}), film_(context, 0, "film"),
-      counters_(context, 4 * sizeof(std::uint32_t), "ray counts") {
+      counters_(context, 8 * sizeof(std::uint32_t), "ray counts") {
     counters_.fill(0);
 }
 
@@ -25,8 +25,9 @@ gpu::FilmPixel Accumulate::pixel(std::size_t index) const {
 }
 
 RayCounts Accumulate::counts() const {
-    const auto words = counters_.download<std::uint32_t>(4);
-    return {words[0] + (std::uint64_t(words[1]) << 32), words[2] + (std::uint64_t(words[3]) << 32)};
+    const auto words = counters_.download<std::uint32_t>(8);
+    const auto count = [&](std::size_t i) { return words[2 * i] + (std::uint64_t(words[2 * i + 1]) << 32); };
+    return {count(0), count(1), count(2), count(3)};
 }
 
 } // namespace eikonal::viewer

@@ -11,6 +11,8 @@ namespace eikonal::viewer {
 struct RayCounts {
     std::uint64_t entered = 0;      ///< rays that entered the domain
     std::uint64_t evaluations = 0;  ///< of the index field
+    std::uint64_t lookUps = 0;      ///< of the clearance ahead
+    std::uint64_t matterSamples = 0;  ///< of absorption, scattering and emission
 };
 
 class Accumulate {

@@ -26,13 +26,22 @@ viewer::EnvironmentLight surroundings(const gpu::Context& context, const Scene& 
     return {context, scene.environment, map ? &*map : nullptr, ambient};
 }
 
+std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const Scene& scene, const Fields& fields,
+                                              const EffectSet& effects, const BakedLight* bake,
+                                              const RenderOptions& options) {
+    if (!options.straightFlights) return std::nullopt;
+    return viewer::Clearance(context, fields, effects,
+                             {.tolerance = scene.accuracy.tolerance, .lit = bake != nullptr});
+}
+
 } // namespace
 
 ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                    const EffectSet& effects, const BakedLight* bake, const RenderOptions& options)
     : context_(context), options_(options), lattice_(fields.lattice), camera_(scene.camera),
       fields_(context, fields, effects), environment_(surroundings(context, scene, effects, bake)),
-      light_(context, bake), batch_(context, options.tileRays),
+      light_(context, bake), clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
+      batch_(context, options.tileRays),
       generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
       stepVoxels_(stepVoxelsOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
@@ -41,6 +50,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
     view.minThroughput = float(options.minThroughput);
     environment_.configure(view);
     light_.configure(view);
+    if (clearance_) clearance_->configure(view);
     march().configure(view);
     setExposure(scene.render.exposureEv);
 }
@@ -49,6 +59,7 @@ std::vector<std::string> ProgressiveImage::allDefines() const {
     std::vector<std::string> defines = fields_.defines();
     append(defines, environment_.defines());
     append(defines, light_.defines());
+    if (clearance_) append(defines, clearance_->defines());
     return defines;
 }
 
@@ -99,6 +110,7 @@ void ProgressiveImage::bind() {
     fields_.bind();
     light_.bind();
     environment_.bind();
+    if (clearance_) clearance_->bind();
     accumulate_.bind();
     batch_.bind();
 }
@@ -153,6 +165,7 @@ std::vector<std::pair<std::string, std::size_t>> ProgressiveImage::textures() co
     auto rows = fields_.textures();
     append(rows, light_.textures());
     append(rows, environment_.textures());
+    if (clearance_) append(rows, clearance_->textures());
     return rows;
 }
 

@@ -3,6 +3,7 @@
 // stays on the device. Stills and the window are made by this one path.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "common/gpu/pass_timer.h"
 #include "common/gpu_fields.h"
 #include "viewer/accumulate.h"
+#include "viewer/clearance.h"
 #include "viewer/environment.h"
 #include "viewer/generate.h"
 #include "viewer/light.h"
@@ -79,6 +81,7 @@ private:
     GpuFields fields_;
     viewer::EnvironmentLight environment_;
     viewer::Light light_;
+    std::optional<viewer::Clearance> clearance_;
     viewer::RayBatch batch_;
     viewer::Generate generate_;
     std::map<double, viewer::March> marches_;  ///< by step [voxels]

@@ -18,7 +18,7 @@ public:
 
     void configure(gpu::ViewBlock& view) const;
     void bind() const;
-    /// "BAKED_LIGHT" if there is one.
+    /// "BAKED_LIGHT" if there is one, "LIGHT_LOBES" if it has lobes.
     std::vector<std::string> defines() const;
     std::vector<std::pair<std::string, std::size_t>> textures() const;
 
@@ -26,6 +26,7 @@ private:
     struct Textures {
         Lattice lattice;
         gpu::Texture3D irradiance, direction;
+        std::optional<gpu::Texture2D> lobes;
     };
     std::optional<Textures> textures_;
 };

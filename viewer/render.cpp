@@ -14,14 +14,16 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::array kChannelNames = {"R",       "G",       "B",       "exit.X",       "exit.Y",
                                       "exit.Z",  "depth.R", "depth.G", "depth.B",      "throughput.R",
-                                      "throughput.G", "throughput.B", "steps", "Z",    "optical_length"};
+                                      "throughput.G", "throughput.B", "steps", "Z",    "optical_length",
+                                      "N.X",     "N.Y",     "N.Z"};
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::array<float, kChannelNames.size()> channelValues(const gpu::FilmPixel& p) {
     return {p.radiance.x,   p.radiance.y,   p.radiance.z,   p.exitDirection.x, p.exitDirection.y,
             p.exitDirection.z, p.depth.x,   p.depth.y,      p.depth.z,         p.throughput.x,
-            p.throughput.y, p.throughput.z, p.steps,        p.entryDistance,   p.opticalLength};
+            p.throughput.y, p.throughput.z, p.steps,        p.entryDistance,   p.opticalLength,
+            p.normal.x,     p.normal.y,     p.normal.z};
 }
 
 void collectRegion(ProgressiveImage& image, RenderResult& result) {
@@ -50,7 +52,9 @@ RenderResult blankResult(const glm::ivec2& size) {
 void count(const ProgressiveImage& image, const gpu::Context& context, RenderStatistics& statistics) {
     const viewer::RayCounts counts = image.counts();
     statistics.fieldEvaluations = counts.evaluations;
-    statistics.steps = counts.evaluations - counts.entered;
+    statistics.clearanceLookUps = counts.lookUps;
+    statistics.matterSamples = counts.matterSamples;
+    statistics.steps = counts.evaluations - counts.entered + counts.lookUps;
     statistics.textures = image.textures();
     statistics.device = context.rendererName();
     statistics.memoryBytes = image.bufferBytes();

@@ -24,8 +24,10 @@ struct RenderChannel {
 struct RenderStatistics {
     std::vector<std::pair<std::string, double>> seconds;  ///< by stage, the last one "total"
     std::uint64_t rays = 0;
-    std::uint64_t steps = 0;
+    std::uint64_t steps = 0;                              ///< evaluations after the first of each ray, and look-ups
     std::uint64_t fieldEvaluations = 0;                   ///< of the index field
+    std::uint64_t clearanceLookUps = 0;                   ///< how far the next straight flight may go
+    std::uint64_t matterSamples = 0;                      ///< of absorption, scattering and emission
     std::vector<std::pair<std::string, std::size_t>> textures;
     std::size_t memoryBytes = 0;                          ///< textures and buffers on the device
     std::string device;
@@ -35,7 +37,8 @@ struct RenderResult {
     glm::ivec2 size{0};
     /// Linear Rec.709 R, G, B, and of the ray through each pixel's centre: exit.X/Y/Z (unit direction at the end),
     /// depth.R/G/B (optical depth of extinction), throughput.R/G/B (of what lies behind), steps, Z (distance to where the
-    /// domain is entered, infinite if it is not) and optical_length, both in scene units.
+    /// domain is entered, infinite if it is not) and optical_length, both in scene units, and
+    /// N.X/Y/Z (outward normal of the opaque surface that the ray ends on, 0 where it meets none).
     std::vector<RenderChannel> channels;
     std::vector<glm::vec3> display;  ///< tone-mapped, sRGB-encoded, 0 to 1
     RenderStatistics statistics;

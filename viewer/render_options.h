@@ -12,7 +12,8 @@ namespace eikonal {
 /// Image size, samples, exposure, tone curve and step come from the scene.
 struct RenderOptions {
     viewer::PixelFilter filter = viewer::PixelFilter::kBox;
-    std::uint32_t maxEvaluations = 0;     ///< of the index field by ray; 0: from the domain's size
+    bool straightFlights = true;          ///< false: steps through everything, for comparison
+    std::uint32_t maxEvaluations = 0;     ///< of the index field and look-ups by ray; 0: from the domain's size
     std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes
     std::size_t tileRays = 1u << 17;      ///< rays under way at a time: bounds the memory
     double minThroughput = 1e-5;          ///< a ray of which less is left ends

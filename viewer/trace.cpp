@@ -1,9 +1,11 @@
 #include "viewer/trace.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "common/accuracy.h"
 #include "common/gpu_fields.h"
+#include "viewer/clearance.h"
 #include "viewer/generate.h"
 #include "viewer/march.h"
 
@@ -21,21 +23,42 @@ EffectSet tracedEffects(EffectSet effects) {
     return effects;
 }
 
+std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const Fields& fields,
+                                              const EffectSet& effects, const Accuracy& accuracy,
+                                              StraightFlights flights) {
+    if (flights == StraightFlights::kNone) return std::nullopt;
+    return viewer::Clearance(context, fields, tracedEffects(effects), {.tolerance = accuracy.tolerance});
+}
+
 /// The kernels and buffers that rays are followed with, batch after batch.
 struct Tracer {
     GpuFields fields;
+    std::optional<viewer::Clearance> clearance;
+    std::vector<std::string> defines;
     viewer::RayBatch batch;
     gpu::Buffer given;
     viewer::Generate generate;
     viewer::March march;
 
     Tracer(const gpu::Context& context, const Fields& sceneFields, const EffectSet& effects,
-           const viewer::MarchSettings& settings, std::size_t capacity)
-        : fields(context, sceneFields, tracedEffects(effects)), batch(context, capacity),
+           const Accuracy& accuracy, StraightFlights flights, std::uint32_t stepsPerSlice, std::size_t capacity)
+        : fields(context, sceneFields, tracedEffects(effects)),
+          clearance(clearanceFor(context, sceneFields, effects, accuracy, flights)),
+          defines(allDefines()), batch(context, capacity),
           given(context, capacity * sizeof(gpu::GivenRay), "given rays"),
           generate(context, fields.defines(), viewer::Generate::Source::kGiven),
-          march(context, fields.defines(), settings, sceneFields.lattice) {
+          march(context, defines, {.stepVoxels = stepVoxelsOf(accuracy), .stepsPerSlice = stepsPerSlice},
+                sceneFields.lattice) {
         march.configure(batch.view);
+        if (clearance) clearance->configure(batch.view);
+    }
+
+    std::vector<std::string> allDefines() const {
+        auto all = fields.defines();
+        if (clearance) {
+            for (const std::string& define : clearance->defines()) all.push_back(define);
+        }
+        return all;
     }
 
     void start(std::span<const TraceRay> rays) {
@@ -48,6 +71,7 @@ struct Tracer {
         batch.bind();
         given.bindStorage(gpu::kStorageGiven);
         fields.bind();
+        if (clearance) clearance->bind();
         generate.run(batch);
     }
 
@@ -116,9 +140,9 @@ std::string_view traceStatusName(TraceStatus status) {
 }
 
 std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
-                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
-    Tracer tracer(context, fields, effects, {.stepVoxels = stepVoxelsOf(accuracy)},
-                  std::min(rays.size(), kRaysAtATime));
+                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays,
+                                   StraightFlights flights) {
+    Tracer tracer(context, fields, effects, accuracy, flights, 0, std::min(rays.size(), kRaysAtATime));
     std::vector<TraceResult> results;
     results.reserve(rays.size());
     for (const auto batch : batchesOf(rays)) {
@@ -133,8 +157,7 @@ std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fi
 
 std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
-    Tracer tracer(context, fields, effects, {.stepVoxels = stepVoxelsOf(accuracy), .stepsPerSlice = 1},
-                  std::min(rays.size(), kRaysAtATime));
+    Tracer tracer(context, fields, effects, accuracy, StraightFlights::kTaken, 1, std::min(rays.size(), kRaysAtATime));
     std::vector<TracePoint> points;
     std::size_t row = 0;
     for (const auto batch : batchesOf(rays)) {

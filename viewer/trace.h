@@ -35,12 +35,16 @@ struct TracePoint {
     TraceResult at;       ///< status kExited while the ray is under way
 };
 
+/// Whether rays cross places where nothing bends them in one flight, or step through everything.
+enum class StraightFlights { kTaken, kNone };
+
 /// Follows rays from where they enter the domain, or start inside, to where they leave; one result a ray, in order.
 /// Of `effects`, refraction, absorption and opaque count. Throws badInput for a step that is not positive.
 std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
-                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays);
+                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays,
+                                   StraightFlights flights = StraightFlights::kTaken);
 
-/// The same with every step: the entry, then each step's end; ray after ray.
+/// The same with every step, a flight being one: the entry, then each step's end; ray after ray.
 std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays);
 

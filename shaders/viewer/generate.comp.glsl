@@ -30,7 +30,9 @@ RayState rayAt(vec3 origin, vec3 direction) {
     ray.n = 1.0;
     ray.nCamera = 1.0;
     ray.entryDistance = uintBitsToFloat(0x7f800000u);
-    ray.pad = 0.0;
+    ray.lookUps = 0u;
+    ray.lookAgainAt = 0.0;
+    ray.matterSamples = 0u;
     return ray;
 }
 

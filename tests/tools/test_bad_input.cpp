@@ -121,8 +121,30 @@ static const std::vector<BadCase> kVolumeCases{
 };
 
 static const std::vector<BadCase> kSceneCases{
-    {"MethodThatIsNotThereYet", 3, "accuracy.directional",
-     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\n"); }},
+    {"MethodThatIsNotThereYet", 3, "accuracy.integrator",
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]
+integrator = \"euler\"
+"); }},
+    {"LobesOfADepositWithOneDirection", 3, "accuracy.directional",
+     [](const TemporaryFolder& f) {
+         return bakeOf(f, kSmallScene + "[accuracy]
+directional = \"lobes\"
+deposit = \"peak\"
+");
+     }},
+    {"ReflectionsWithoutTubes", 3, "accuracy.reflections",
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]
+deposit = \"splat\"
+reflections = 1
+"); }},
+    {"EikonalWithoutTubes", 3, "accuracy.deposit",
+     [](const TemporaryFolder& f) {
+         auto arguments = bakeOf(f, kSmallScene + "[accuracy]
+deposit = \"peak\"
+");
+         arguments.push_back("--eikonal");
+         return arguments;
+     }},
     {"MissingScene", 3, "nowhere.toml",
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"bake", f.file("nowhere.toml"), "-o", f.file("out.vdb")};

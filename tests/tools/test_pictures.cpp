@@ -67,7 +67,8 @@ TEST_P(Picture, LooksLikeTheGallery) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gallery, Picture,
-                         testing::Values("glass_sphere", "amber_figure", "wine_glass", "luneburg", "fog_point_light"),
+                         testing::Values("glass_sphere", "amber_figure", "wine_glass", "luneburg", "fog_point_light",
+                                         "glass_plate"),
                          [](const auto& picture) { return picture.param; });
 
 } // namespace eikonal::test

@@ -19,7 +19,8 @@ test::Members rayStateMembers() {
         EIKONAL_MEMBER(gpu::RayState, crossingStart), EIKONAL_MEMBER(gpu::RayState, crossingWTangential),
         EIKONAL_MEMBER(gpu::RayState, crossingSide), EIKONAL_MEMBER(gpu::RayState, n),
         EIKONAL_MEMBER(gpu::RayState, nCamera), EIKONAL_MEMBER(gpu::RayState, entryDistance),
-        EIKONAL_MEMBER(gpu::RayState, pad)
+        EIKONAL_MEMBER(gpu::RayState, lookUps), EIKONAL_MEMBER(gpu::RayState, lookAgainAt),
+        EIKONAL_MEMBER(gpu::RayState, matterSamples), EIKONAL_MEMBER(gpu::RayState, pad0), EIKONAL_MEMBER(gpu::RayState, pad1)
     };
 }
 
@@ -38,6 +39,8 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, sampleIndex),
         EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, filmStart),
         {"ambient[0]", offsetof(gpu::ViewBlock, ambient)},
+        EIKONAL_MEMBER(gpu::ViewBlock, contentMin), EIKONAL_MEMBER(gpu::ViewBlock, negligibleGradient),
+        EIKONAL_MEMBER(gpu::ViewBlock, contentMax), EIKONAL_MEMBER(gpu::ViewBlock, contentPad),
     };
 }
 
@@ -55,7 +58,8 @@ test::Members filmPixelMembers() {
         EIKONAL_MEMBER(gpu::FilmPixel, radiance), EIKONAL_MEMBER(gpu::FilmPixel, steps),
         EIKONAL_MEMBER(gpu::FilmPixel, exitDirection), EIKONAL_MEMBER(gpu::FilmPixel, entryDistance),
         EIKONAL_MEMBER(gpu::FilmPixel, depth), EIKONAL_MEMBER(gpu::FilmPixel, opticalLength),
-        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, pad)
+        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, pad),
+        EIKONAL_MEMBER(gpu::FilmPixel, normal), EIKONAL_MEMBER(gpu::FilmPixel, normalPad)
     };
 }
 

@@ -14,12 +14,15 @@ using test::KernelVariant;
 std::vector<KernelVariant> variants() {
     const std::vector<std::string> switches = {
         "EFFECT_REFRACTION", "EFFECT_ABSORPTION",  "EFFECT_SCATTERING", "EFFECT_EMISSION", "EFFECT_REFLECTION",
-        "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "MANUAL_FILTERING"};
+        "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "STRAIGHT_FLIGHTS",
+        "LIGHT_LOBES",       "MANUAL_FILTERING"};
     std::vector<KernelVariant> rows = {{"viewer/accumulate.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_REINHARD"}},
                                        {"gpu/linear_filtering.comp.glsl", {}}};
+    rows.push_back({"bench/dependent_fetch.comp.glsl", {"EFFECT_REFRACTION"}});
+    rows.push_back({"bench/dependent_fetch.comp.glsl", {"EFFECT_REFRACTION", "MANUAL_FILTERING"}});
     for (const auto& subset : test::tellingSubsets(switches)) {
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 2"}));
