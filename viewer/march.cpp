@@ -27,22 +27,19 @@ std::uint32_t samplesPerHalfOf(double stepVoxels) {
     return stepVoxels <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * stepVoxels, 256.0)));
 }
 
-/// Loop iterations of a step: its own, and of each sample of matter one and those over the voxels about it.
-std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::uint32_t samplesPerHalf) {
-    constexpr std::uint32_t kVoxelsAbout = 8;
-    const bool hasLobes = std::find(defines.begin(), defines.end(), "LIGHT_LOBES") != defines.end();
-    return 1 + 2 * samplesPerHalf + (hasLobes ? std::max(2 * samplesPerHalf, 1u) * kVoxelsAbout : 0);
-}
-
 std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& lattice) {
     if (settings.maxEvaluations > 0) return settings.maxEvaluations;
     const double diagonalSteps = glm::length(glm::dvec3(lattice.size)) / settings.stepVoxels;
     return std::max(kLeastEvaluations, std::uint32_t(std::min(kDiagonals * diagonalSteps, 1e9)));
 }
 
+/// Loop iterations of a step: its own, and those of a flight or of its samples of matter, which look at the voxels about them
+/// where light has lobes.
 std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::uint32_t samplesPerHalf) {
-    const bool flies = std::find(defines.begin(), defines.end(), "STRAIGHT_FLIGHTS") != defines.end();
-    return 1 + std::max(flies ? kIterationsPerFlight : 0u, 2 * samplesPerHalf);
+    constexpr std::uint32_t kVoxelsAbout = 8;
+    const auto has = [&](const char* name) { return std::find(defines.begin(), defines.end(), name) != defines.end(); };
+    const std::uint32_t lobes = has("LIGHT_LOBES") ? std::max(2 * samplesPerHalf, 1u) * kVoxelsAbout : 0u;
+    return 1 + std::max(has("STRAIGHT_FLIGHTS") ? kIterationsPerFlight : 0u, 2 * samplesPerHalf + lobes);
 }
 
 std::vector<std::string> withSamples(std::vector<std::string> defines, std::uint32_t samplesPerHalf) {
