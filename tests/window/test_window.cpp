@@ -129,13 +129,13 @@ TEST_F(WindowTest, TakesWhatAPersonMayDo) {
     EXPECT_TRUE(std::filesystem::exists(folder.file("scene_0001.toml")));
 }
 
-TEST_F(WindowTest, PanelsTakeClicksAndValues) {
-    // Whatever lies under the pointer on a panel that is wider than the picture.
-    std::string script = "0 wait\n";
-    for (int y = 20; y < 120; y += 8) {
-        script += "0 cursor 24 " + std::to_string(y) + "\n0 wait\n0 button left down\n0 wait\n0 button left up\n0 wait\n";
-    }
-    expectGood(script + "0 quit\n");
+TEST_F(WindowTest, AClickInThePanelSwitchesAnEffect) {
+    // The box before "refraction": the panel is 330 pixels wide, 10 from the right edge, and begins with fixed rows.
+    expectGood("0 size 480 360\n2 wait\n2 cursor 157 139\n3 button left down\n4 button left up\n6 cursor 20 300\n6 wait\n"
+               "7 key f2 down\n8 quit\n");
+    const std::string saved = readText(folder.file("scene_0001.toml"));
+    EXPECT_NE(saved.find("effects = [\"absorption\", \"scattering\""), std::string::npos) << saved;
+    EXPECT_EQ(saved.find("\"refraction\""), std::string::npos);
 }
 
 TEST_F(WindowTest, ADraggedLightIsFollowed) {

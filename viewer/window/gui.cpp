@@ -78,10 +78,11 @@ void Gui::feed(const Event& event) {
         case EventKind::kScroll: io.MouseWheel += float(event.at.x); break;
         case EventKind::kButton:
         case EventKind::kKey:
-            if (event.down) {
-                press(event);
-            } else {
+            if (event.down) pressed_.push_back(event.name);
+            if (!event.down && std::find(pressed_.begin(), pressed_.end(), event.name) != pressed_.end()) {
                 released_.push_back(event);
+            } else {
+                press(event);
             }
             break;
         case EventKind::kText: io.AddInputCharactersUTF8(event.name.c_str()); break;
@@ -103,6 +104,7 @@ void Gui::draw() {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     for (const Event& event : released_) press(event);
     released_.clear();
+    pressed_.clear();
 }
 
 bool Gui::wantsMouse() const { return ImGui::GetIO().WantCaptureMouse; }

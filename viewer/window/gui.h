@@ -1,6 +1,7 @@
 #pragma once
 // Dear ImGui fed with events, recorded or live, and drawn into the window.
 
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -28,7 +29,8 @@ public:
 private:
     void press(const Event& event);
 
-    std::vector<Event> released_;  ///< in this frame: they count after it, or a quick click would be none
+    std::vector<std::string> pressed_;  ///< in this frame
+    std::vector<Event> released_;       ///< of those: they count after the frame, or a quick click would be none
 };
 
 } // namespace eikonal::window

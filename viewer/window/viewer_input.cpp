@@ -59,7 +59,7 @@ void Viewer::takeEvents() {
     for (Event& event : events) {
         event.frame = frameNumber_;
         handle(event);
-        if (!options_.record.empty()) recorded_.push_back(event);
+        if (event.kind != EventKind::kQuit) recorded_.push_back(event);  // the recording ends with one anyway
     }
     dragAlong();
     if (script_ && script_->isDone()) script_.reset();
