@@ -122,26 +122,16 @@ static const std::vector<BadCase> kVolumeCases{
 
 static const std::vector<BadCase> kSceneCases{
     {"MethodThatIsNotThereYet", 3, "accuracy.integrator",
-     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]
-integrator = \"euler\"
-"); }},
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\nintegrator = \"euler\"\n"); }},
     {"LobesOfADepositWithOneDirection", 3, "accuracy.directional",
      [](const TemporaryFolder& f) {
-         return bakeOf(f, kSmallScene + "[accuracy]
-directional = \"lobes\"
-deposit = \"peak\"
-");
+         return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\ndeposit = \"peak\"\n");
      }},
     {"ReflectionsWithoutTubes", 3, "accuracy.reflections",
-     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]
-deposit = \"splat\"
-reflections = 1
-"); }},
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"splat\"\nreflections = 1\n"); }},
     {"EikonalWithoutTubes", 3, "accuracy.deposit",
      [](const TemporaryFolder& f) {
-         auto arguments = bakeOf(f, kSmallScene + "[accuracy]
-deposit = \"peak\"
-");
+         auto arguments = bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"peak\"\n");
          arguments.push_back("--eikonal");
          return arguments;
      }},
