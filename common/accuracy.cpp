@@ -22,9 +22,13 @@ void requireAvailable(const Scene& scene) {
             "accuracy.integrator", "'auto' or 'leapfrog'");
     require(scene, asked.interpolation == Interpolation::kAuto || asked.interpolation == Interpolation::kLinear,
             "accuracy.interpolation", "'auto' or 'linear'");
-    require(scene, asked.directional == Directional::kAuto || asked.directional == Directional::kMean,
-            "accuracy.directional", "'auto' or 'mean'");
-    require(scene, asked.reflections == 0, "accuracy.reflections", "0");
+    require(scene, asked.directional != Directional::kLobes || asked.deposit != Deposit::kPeak, "accuracy.directional",
+            "'auto' or 'mean' with deposit 'peak', which keeps one direction");
+    const bool usesPatches = asked.deposit == Deposit::kSplat || asked.deposit == Deposit::kPeak;
+    if (usesPatches && asked.reflections > 0) {
+        throw badInput(fmt::format("{}: accuracy.reflections: expected 0 with the deposits 'splat' and 'peak', found {}; "
+                                   "'auto' and 'cells' follow reflections", scene.source, asked.reflections));
+    }
 }
 
 } // namespace eikonal

@@ -26,7 +26,8 @@ Key<Section> integer(std::string_view name, Access access, Limits limits) {
             [=](Section& section, const toml::node& node, const std::string& key) {
                 std::invoke(access, section) = readInteger(node, key, limits);
             },
-            [=](const Section& section) { return std::to_string(std::invoke(access, section)); }};
+            [=](const Section& section) { return std::to_string(std::invoke(access, section)); },
+            {.isInteger = true, .choices = {}}};
 }
 
 template <class Section, class Access>
@@ -86,11 +87,13 @@ Key<Section> quantity(std::string_view name, Access access, Limits limits, Bands
 
 template <class Section, class Access, class Choice>
 Key<Section> choice(std::string_view name, Access access, Choices<Choice> choices) {
+    ValueForm form;
+    for (const auto& [choiceName, value] : choices) form.choices.push_back(choiceName);
     return {name,
             [=](Section& section, const toml::node& node, const std::string& key) {
                 std::invoke(access, section) = readChoice(node, key, choices);
             },
-            [=](const Section& section) { return writeChoice(std::invoke(access, section), choices); }};
+            [=](const Section& section) { return writeChoice(std::invoke(access, section), choices); }, form};
 }
 
 } // namespace eikonal::keys

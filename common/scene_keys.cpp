@@ -175,7 +175,7 @@ const Keys<Accuracy>& accuracyKeys() {
         stepKey(),
         keys::choice<Accuracy>("deposit", &Accuracy::deposit, Choices<Deposit>(kDeposits)),
         keys::choice<Accuracy>("directional", &Accuracy::directional, Choices<Directional>(kDirectionals)),
-        keys::integer<Accuracy>("reflections", &Accuracy::reflections, {.low = 0.0, .high = 64.0}),
+        keys::integer<Accuracy>("reflections", &Accuracy::reflections, {.low = 0.0, .high = 8.0}),
         keys::integer<Accuracy>("bands", &Accuracy::bands, {.low = 3.0, .high = 64.0}),
     };
     return table;

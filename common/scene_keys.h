@@ -10,6 +10,7 @@
 #include <toml++/toml.h>
 
 #include "common/scene.h"
+#include "common/value_form.h"
 
 namespace eikonal {
 
@@ -21,6 +22,7 @@ struct Key {
     std::function<void(Section&, const toml::node&, const std::string&)> read;
     /// TOML text of the value; nothing where the value is unset or written under another key.
     std::function<std::optional<std::string>(const Section&)> write;
+    ValueForm form = {};
 };
 template <class Section>
 using Keys = std::vector<Key<Section>>;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/scene.h"
+#include "common/value_form.h"
 
 namespace eikonal {
 
@@ -24,6 +25,7 @@ struct WrittenSection {
     std::string header;  ///< "[domain]", "[[object]]"
     std::string path;    ///< "domain", "object.0"
     std::vector<std::pair<std::string, std::string>> values;  ///< key, TOML text
+    std::vector<ValueForm> forms;                             ///< one a value
 };
 std::vector<WrittenSection> writeSections(const Scene& scene);
 

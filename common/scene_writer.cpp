@@ -11,30 +11,39 @@ namespace {
 
 template <class Section>
 void writeKeys(const Keys<Section>& keys, const Section& section, WrittenSection& written) {
-    for (const Key<Section>& key : keys)
-        if (const auto text = key.write(section))
+    for (const Key<Section>& key : keys) {
+        if (const auto text = key.write(section)) {
             written.values.emplace_back(key.name, *text);
+            written.forms.push_back(key.form);
+        }
+    }
+}
+
+/// The kind of an object or a light, which its other keys depend on.
+void writeKind(std::string_view key, std::string_view name, WrittenSection& written) {
+    written.values.emplace_back(key, writeString(std::string(name)));
+    written.forms.emplace_back();
 }
 
 template <class Section>
 WrittenSection writeSection(const std::string& name, const Keys<Section>& keys, const Section& section) {
-    WrittenSection written{"[" + name + "]", name, {}};
+    WrittenSection written{"[" + name + "]", name, {}, {}};
     writeKeys(keys, section, written);
     return written;
 }
 
 WrittenSection writeObject(const Object& object, std::size_t index) {
-    WrittenSection written{"[[object]]", fmt::format("object.{}", index), {}};
+    WrittenSection written{"[[object]]", fmt::format("object.{}", index), {}, {}};
     if (const std::string_view shape = shapeName(object.shape); !shape.empty())
-        written.values.emplace_back("shape", writeString(std::string(shape)));
+        writeKind("shape", shape, written);
     writeKeys(shapeKeys(object.shape), object, written);
     writeKeys(objectKeys(), object, written);
     return written;
 }
 
 WrittenSection writeLight(const Light& light, std::size_t index) {
-    WrittenSection written{"[[light]]", fmt::format("light.{}", index), {}};
-    written.values.emplace_back("type", writeString(std::string(lightTypeName(light))));
+    WrittenSection written{"[[light]]", fmt::format("light.{}", index), {}, {}};
+    writeKind("type", lightTypeName(light), written);
     writeKeys(lightKeys(light), light, written);
     return written;
 }

@@ -10,8 +10,8 @@
 
 namespace eikonal {
 
-/// End of the spectrum at which dispersing matter has its least index.
-inline constexpr double kLongestVisibleMicrons = 0.7;
+/// Ends of the spectrum: dispersing matter has its greatest index at the one, its least at the other.
+inline constexpr double kShortestVisibleMicrons = 0.4, kLongestVisibleMicrons = 0.7;
 
 /// Throws badInput where the index is not positive at a wavelength, naming `source`. Nothing to check where nothing
 /// disperses.

@@ -8,6 +8,8 @@
 #include "lightsim/emit.h"
 #include "lightsim/ledger.h"
 #include "lightsim/light_method.h"
+#include "lightsim/light_sums.h"
+#include "lightsim/lobes.h"
 #include "lightsim/settings.h"
 #include "lightsim/spectral_bake.h"
 
@@ -25,8 +27,12 @@ std::vector<std::string> definesOf(const GpuFields& gpuFields, int bands) {
     return defines;
 }
 
-BakedLight darkness(const Lattice& lattice) {
-    return {lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}, {}};
+BakedLight darkness(const Lattice& lattice, bool hasEikonal) {
+    BakedLight dark{lattice, {lattice.size, glm::vec3(0.0f)}, {lattice.size, glm::vec3(0.0f)}};
+    if (hasEikonal) {
+        dark.eikonal = DenseGrid<float>(lattice.size, kUnreached);
+    }
+    return dark;
 }
 
 /// The options of one of several equal parts of the work.
@@ -69,24 +75,37 @@ struct LightSimulator::Device {
         }
         result.statistics.patches = method->counts();
     }
+
+    void bakeLobes(const gpu::Context& context, const bake::LobeCriterion& criterion, const bake::LobePlan& plan,
+                   const BakeOptions& options, BakeResult& result) {
+        const auto start = Clock::now();
+        result.light.lobes = bake::lobesOf(context, *method, criterion, plan, result.light, options.progress);
+        result.statistics.lobeVoxels = result.light.lobes.voxels.size();
+        result.statistics.seconds.lobes = secondsSince(start);
+    }
 };
 
 LightSimulator::LightSimulator(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                const EffectSet& effects, const BakeOptions& options)
-    : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options) {}
+    : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options),
+      lobeCriterion_(std::make_unique<bake::LobeCriterion>(scene.accuracy, fields, effects)) {
+    bake::requireKnownByBand(scene, effects, options);
+}
 
 LightSimulator::~LightSimulator() = default;
+
+std::size_t LightSimulator::blockBytes() const {
+    return options_.maxBlockBytes > 0 ? options_.maxBlockBytes : context_.limits().maxStorageBlockBytes;
+}
 
 LightSimulator::Device& LightSimulator::deviceFor(int bands, const Fields& fields, const bake::LaunchGrids& grids,
                                                   const bake::BakeSettings& settings) {
     const EffectSet effects = effects_.without(Effect::kDispersion);  // the fields are those of one wavelength
     if (!device_ || device_->bands != bands) {
-        const std::size_t blockBytes =
-            options_.maxBlockBytes > 0 ? options_.maxBlockBytes : context_.limits().maxStorageBlockBytes;
         device_.reset();  // the old one's memory before the new one's
         device_ = std::make_unique<Device>(Device{GpuFields(context_, fields, effects), bands, nullptr});
         device_->method =
-            bake::makeMethod(context_, {fields_, accuracy_, definesOf(device_->fields, bands), bands, blockBytes}, options_,
+            bake::makeMethod(context_, {fields_, accuracy_, definesOf(device_->fields, bands), bands, blockBytes()}, options_,
                              grids, settings);
     } else if (&fields != &fields_) {
         device_->fields = GpuFields(context_, fields, effects);
@@ -109,7 +128,7 @@ BakeResult LightSimulator::bake(const LightSet& lights) {
 
 BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& lights, const BakeOptions& options) {
     const auto start = Clock::now();
-    BakeResult result{darkness(fields.lattice), {}, {}};
+    BakeResult result{darkness(fields.lattice, options.eikonal), {}, {}};
     result.statistics.device = context_.rendererName();
     const bake::Criteria criteria = bake::criteriaOf(accuracy_, fields);
     const bake::LaunchGrids grids = bake::launchGrids(lights, fields.lattice, criteria.maxSide, criteria.splitShare);
@@ -120,6 +139,8 @@ BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& lights, 
         result.statistics.memoryBytes = device.bytes();
         result.statistics.seconds.upload = secondsSince(start);
         device.bakeSlabs(fields, options, result);
+        device.bakeLobes(context_, *lobeCriterion_,
+                         {fields, bake::depositUnit(settings, fields.lattice), device.bands, blockBytes()}, options, result);
         bake::readLedger(device.method->ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
         bake::integrateDeposits(fields, bake::usesPatches(accuracy_) ? bake::VoxelMean::kHat : bake::VoxelMean::kCube, result.light,
                                 result.statistics.energy);

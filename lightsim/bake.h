@@ -22,12 +22,14 @@ namespace eikonal {
 namespace bake {
 struct BakeSettings;
 struct LaunchGrids;
+class LobeCriterion;
 } // namespace bake
 
 struct BakeOptions {
     std::uint32_t poolPatches = 16384;  ///< patches alive at a time; any number >= 8 gives the same grids
     std::uint32_t tubeVertices = 65536;  ///< rays in memory at a time; any number that one launch cell needs gives the same grids
     std::size_t maxBlockBytes = 0;      ///< largest storage block; 0: the device's limit. Smaller ones take more passes
+    bool eikonal = false;               ///< the bake holds the eikonal too; deposits `auto` and `cells` only
     std::function<void(double fraction)> progress;  ///< called now and then with the share of the light launched
 };
 
@@ -40,6 +42,7 @@ struct EnergyLedger {
     glm::dvec3 scattered{0.0};
     glm::dvec3 exited{0.0};
     glm::dvec3 reflected{0.0};  ///< at boundaries, and not followed
+    glm::dvec3 followed{0.0};   ///< at boundaries, and followed: it is part of what was absorbed, scattered, exited or reflected
     glm::dvec3 culled{0.0};     ///< below the energy threshold, at the step limit, or (2007 method) folded
     glm::dvec3 depositedAbsorbed{0.0};   ///< Σ σ_a E V of the written grid: should equal absorbed - absorbedOpaque
     glm::dvec3 depositedScattered{0.0};  ///< Σ σ_s E V of the written grid: should equal scattered
@@ -69,6 +72,7 @@ struct PatchCounts {
 struct BakeSeconds {
     double upload = 0.0;     ///< textures, buffers and kernels, where they are not there from an earlier bake
     double propagate = 0.0;  ///< emit, propagate, deposit and refine
+    double lobes = 0.0;      ///< the second propagation, where light is sorted by direction, and merging
     double read = 0.0;       ///< fixed point to grids, ledger
     double total = 0.0;
 };
@@ -79,7 +83,8 @@ struct BakeStatistics {
     EnergyLedger energy;            ///< where something disperses, the linear Rec.709 of all bands
     std::vector<BandLedger> bands;  ///< where something disperses; else empty
     std::string device;
-    std::size_t memoryBytes = 0;  ///< of buffers and textures
+    std::size_t memoryBytes = 0;  ///< of buffers and textures that stay
+    std::size_t lobeVoxels = 0;   ///< that have several lobes
 
     /// Adds another run's; `peak` and `memoryBytes` become the largest.
     void addRun(const BakeStatistics& run);
@@ -108,9 +113,12 @@ public:
     /// Lights as they stand, whatever their keyframes say. Without power the grids are zero.
     /// Throws Error(kFailure) when interrupted, badInput for a lattice beyond the device.
     BakeResult bake(const LightSet& lights);
+    /// Which voxels get lobes, and how close lobes are merged.
+    const bake::LobeCriterion& lobeCriterion() const { return *lobeCriterion_; }
 
 private:
     struct Device;
+    std::size_t blockBytes() const;
     BakeResult bakeIn(const Fields& fields, const LightSet& lights, const BakeOptions& options);
     Device& deviceFor(int bands, const Fields& fields, const bake::LaunchGrids& grids, const bake::BakeSettings& settings);
 
@@ -119,6 +127,7 @@ private:
     const Fields& fields_;
     EffectSet effects_;
     BakeOptions options_;
+    std::unique_ptr<bake::LobeCriterion> lobeCriterion_;
     std::unique_ptr<Device> device_;
 };
 

@@ -6,12 +6,15 @@ namespace eikonal::bake {
 
 SplatDeposit::SplatDeposit(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
                            int layers, int bands)
-    : Deposit(layers), sums_(context, lattice, layers, bands), interpolated_(context, "lightsim/deposit.comp.glsl", defines),
+    : Deposit(layers), sums_(context, lattice, layers, bands), splat_(context, defines) {}
+
+Splat::Splat(const gpu::Context& context, const std::vector<std::string>& defines)
+    : interpolated_(context, "lightsim/deposit.comp.glsl", defines),
       corners_(context, "lightsim/deposit_corners.comp.glsl", defines) {}
 
-void SplatDeposit::add(const Wavefront& wavefront) const {
+void Splat::add(const Wavefront& wavefront, const VoxelSums& sums) const {
     wavefront.bindPool();
-    sums_.bind();
+    sums.bind();
     wavefront.dispatchOverPatches(interpolated_);
     wavefront.dispatchOverListedCorners(corners_);
 }

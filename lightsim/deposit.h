@@ -27,6 +27,17 @@ private:
     int layers_;
 };
 
+/// Splats the last step of every live patch.
+class Splat {
+public:
+    Splat(const gpu::Context& context, const std::vector<std::string>& defines);
+
+    void add(const Wavefront& wavefront, const VoxelSums& sums) const;
+
+private:
+    gpu::Kernel interpolated_, corners_;
+};
+
 /// Fixed-point sums of power × path length.
 class SplatDeposit : public Deposit {
 public:
@@ -34,7 +45,7 @@ public:
                  int bands);
 
     void clear() override { sums_.clear(); }
-    void add(const Wavefront& wavefront) const override;
+    void add(const Wavefront& wavefront) const override { splat_.add(wavefront, sums_); }
     void read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const override {
         sums_.read(settings, opaque, light);
     }
@@ -42,7 +53,7 @@ public:
 
 private:
     LightSums sums_;
-    gpu::Kernel interpolated_, corners_;
+    Splat splat_;
 };
 
 /// The deposit that a scene asks for, with as many layers as have their sums in storage blocks of `blockBytes`; at least 1.

@@ -212,6 +212,7 @@ private:
         frame.axis = axis;
         frame.centre = source.position + axis;
         frame.phase = float(glm::length(axis) - distance);
+        frame.pathBefore = float(distance);
         frame.strength = source.intensity;
         frame.profile = source.profile;
         frame.profileAxis = source.axis;

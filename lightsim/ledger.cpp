@@ -31,7 +31,8 @@ void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger) {
     ledger.absorbed = row(LEDGER_ABSORBED) + ledger.absorbedOpaque;
     ledger.scattered = row(LEDGER_SCATTERED);
     ledger.exited = row(LEDGER_EXITED);
-    ledger.reflected = row(LEDGER_REFLECTED);
+    ledger.followed = row(LEDGER_FOLLOWED);
+    ledger.reflected = row(LEDGER_REFLECTED) - ledger.followed;
     ledger.culled = row(LEDGER_CULLED);
 }
 

@@ -11,6 +11,7 @@
 #include "common/gpu/objects.h"
 #include "lightsim/bake.h"
 #include "lightsim/emit.h"
+#include "lightsim/lobe_bins.h"
 
 namespace eikonal::bake {
 
@@ -25,6 +26,8 @@ public:
     /// Propagates all light and keeps what it leaves in the layers [begin, end); the ledger begins anew. Throws
     /// Error(kFailure) when interrupted.
     virtual void propagate(int begin, int end, const std::function<void(double fraction)>& progress) = 0;
+    /// Propagates all light again, into bins of direction; counts and ledger as those of propagate.
+    virtual void propagateInto(const LobeBins& bins, const std::function<void(double fraction)>& progress) = 0;
     /// Writes the slab's layers of the grids. `opaque` is empty or the coverage by opaque matter: light is in the rest of
     /// the voxel.
     virtual void read(const DenseGrid<float>& opaque, BakedLight& light) const = 0;

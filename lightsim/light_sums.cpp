@@ -47,8 +47,7 @@ void LightSums::bind() const {
 }
 
 void LightSums::read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const {
-    const double voxel = light.lattice.voxel;
-    const double unit = 1.0 / (double(settings.depositScale) * voxel * voxel);  // irradiance of one in a free voxel
+    const double unit = depositUnit(settings, light.lattice);
     const std::size_t count = voxelsPerLayer_ * std::size_t(settings.slabEnd - settings.slabBegin);
     const std::size_t first = voxelsPerLayer_ * std::size_t(settings.slabBegin);
     std::vector<std::vector<std::uint32_t>> flux, power;

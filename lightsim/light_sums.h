@@ -6,18 +6,19 @@
 #include "common/baked_light.h"
 #include "common/fields.h"
 #include "common/gpu/objects.h"
+#include "lightsim/voxel_sums.h"
 #include "shaders/shared/bake_blocks.h"
 
 namespace eikonal::bake {
 
 /// Sums for the voxel layers [begin, begin + layers) of a lattice; `layers` is bounded by the largest storage block.
-class LightSums {
+class LightSums : public VoxelSums {
 public:
     LightSums(const gpu::Context& context, const Lattice& lattice, int layers, int bands);
 
     void clear();
-    /// To the bindings of shaders/lightsim/sums.glsl.
-    void bind() const;
+    void bind() const override;
+    bool areLobes() const override { return false; }
     /// Writes the layers [slabBegin, slabEnd) of the grids. `opaque` is empty or the coverage by opaque matter: light is in
     /// the rest of the voxel.
     void read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const;
@@ -28,6 +29,11 @@ private:
     std::size_t voxelsPerLayer_;
     std::vector<gpu::Buffer> flux_, irradiance_;
 };
+
+/// Irradiance that one unit of the sums is in a free voxel [power / scene unit²].
+inline double depositUnit(const BakeSettings& settings, const Lattice& lattice) {
+    return 1.0 / (double(settings.depositScale) * lattice.voxel * lattice.voxel);
+}
 
 /// Voxel layers whose sums fit in a storage block of `blockBytes`; at least 1.
 int layersPerSlab(const Lattice& lattice, std::size_t blockBytes);

@@ -13,7 +13,7 @@ constexpr int kRoundsPerLook = 16;
 
 PatchMethod::PatchMethod(const gpu::Context& context, const MethodPlan& plan, const LaunchGrids& grids,
                          const BakeSettings& settings)
-    : settings_(settings), wavefront_(context, plan.defines, grids, settings),
+    : context_(context), defines_(plan.defines), settings_(settings), wavefront_(context, plan.defines, grids, settings),
       deposit_(makeDeposit(plan.accuracy.deposit, context, plan.defines, plan.fields.lattice, plan.blockBytes, plan.bands)) {}
 
 void PatchMethod::setLights(const gpu::Context& context, const LaunchGrids& grids, const BakeSettings& settings) {
@@ -22,15 +22,27 @@ void PatchMethod::setLights(const gpu::Context& context, const LaunchGrids& grid
 }
 
 void PatchMethod::propagate(int begin, int end, const std::function<void(double)>& progress) {
+    deposit_->clear();
+    run(begin, end, [this] { deposit_->add(wavefront_); }, progress);
+}
+
+void PatchMethod::propagateInto(const LobeBins& bins, const std::function<void(double)>& progress) {
+    if (!intoLobes_) {
+        intoLobes_.emplace(context_, withLobes(defines_));
+    }
+    run(bins.tile().slabBegin, bins.tile().slabEnd, [&] { intoLobes_->add(wavefront_, bins); }, progress);
+}
+
+void PatchMethod::run(int begin, int end, const std::function<void()>& deposit,
+                      const std::function<void(double)>& progress) {
     settings_.slabBegin = begin;
     settings_.slabEnd = end;
     wavefront_.restart(settings_);
-    deposit_->clear();
     for (QueueState state{}; !isFinished(state, settings_);) {
         for (int round = 0; round < kRoundsPerLook; ++round) {
             wavefront_.emit();
             wavefront_.propagate();
-            deposit_->add(wavefront_);
+            deposit();
             wavefront_.refine();
         }
         state = wavefront_.state();

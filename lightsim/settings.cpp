@@ -13,8 +13,9 @@ constexpr double kDefaultTolerance = 0.02;
 // Light that is still in the domain after this many optical diagonals at the default tolerance is caught in total
 // reflection: culled. In a smoothed sphere about a thousandth of a beam is, whatever the limit.
 constexpr double kMaxDiagonals = 2.5;
-// Kernels trace a whole path in one dispatch; software renderers end loops at 65535 iterations.
-constexpr double kMaxSteps = 49999.0;
+// Kernels trace a whole path in one dispatch, to its mirrors and from the source again; software renderers end loops at 65535
+// iterations in all.
+constexpr double kMaxSteps = 32000.0;
 // Of the launch grids that ray tubes start from, with rays half as far apart.
 constexpr double kTubeCellVoxels = 8.0;
 // Tubes interpolate between rays where patches that are not split deposit along them: they can stop at that many times the
@@ -64,7 +65,8 @@ Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
     // The light's mean power per voxel of a cross-section, times the share of it that may be misplaced by not splitting.
     criteria.splitShare = accuracy.tolerance / (longest * longest) * (usesPatches(accuracy) ? 1.0 : kTubeSplitVoxels);
     criteria.cullShare = 1e-3 * accuracy.tolerance;
-    criteria.maxOpticalPath = kMaxDiagonals / refinement * glm::length(fields.lattice.extent()) *
+    // every reflection followed takes light through the domain once more
+    criteria.maxOpticalPath = (kMaxDiagonals + accuracy.reflections) / refinement * glm::length(fields.lattice.extent()) *
                               std::max(1.0, iorRangeOf(fields).high);
     return criteria;
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "common/error.h"
 #include "common/spectral_fields.h"
 
 namespace eikonal::bake {
@@ -57,10 +60,24 @@ void addBand(BakeResult& sum, DenseGrid<float>& total, BakeResult&& one, const S
 
 } // namespace
 
+void requireKnownByBand(const Scene& scene, const EffectSet& effects, const BakeOptions& options) {
+    if (!effects.has(Effect::kDispersion)) {
+        return;
+    }
+    if (scene.accuracy.directional == Directional::kLobes) {
+        throw badInput(fmt::format("{}: accuracy.directional: expected 'auto' or 'mean' where something disperses, found "
+                                   "'lobes'", scene.source));
+    }
+    if (options.eikonal) {
+        throw badInput(fmt::format("{}: cauchy_b: expected 0 for an eikonal, which is that of one wavelength, found a scene "
+                                   "where something disperses", scene.source));
+    }
+}
+
 BakeResult bakeSpectrum(const Fields& fields, const LightSet& lights, const std::vector<SpectralBand>& bands,
                         const BandRun& run) {
     const DenseGrid<glm::vec3> nothing(fields.lattice.size, glm::vec3(0.0f));
-    BakeResult result{{fields.lattice, nothing, nothing, {}}, {}, {}};
+    BakeResult result{{fields.lattice, nothing, nothing}, {}, {}};
     DenseGrid<float> total(fields.lattice.size, 0.0f);
     for (std::size_t band = 0; band < bands.size(); ++band) {
         BakeResult one = run(fieldsOfBand(fields, bands[band]), lightsOfBand(lights, bands[band].channel), band);

@@ -9,6 +9,9 @@
 
 namespace eikonal::bake {
 
+/// Throws badInput for what is not known by band: lobes that were asked for, and the eikonal.
+void requireKnownByBand(const Scene& scene, const EffectSet& effects, const BakeOptions& options);
+
 /// A bake through the fields of one band, of grey lights, which are the same in all components. `band` counts from 0.
 using BandRun = std::function<BakeResult(const Fields& fields, const LightSet& lights, std::size_t band)>;
 

@@ -10,9 +10,9 @@ namespace eikonal {
 namespace {
 
 constexpr std::array kLedgerRows{
-    &EnergyLedger::emitted,   &EnergyLedger::entered,          &EnergyLedger::absorbed, &EnergyLedger::absorbedOpaque,
-    &EnergyLedger::scattered, &EnergyLedger::exited,           &EnergyLedger::reflected, &EnergyLedger::culled,
-    &EnergyLedger::depositedAbsorbed, &EnergyLedger::depositedScattered};
+    &EnergyLedger::emitted,   &EnergyLedger::entered,   &EnergyLedger::absorbed, &EnergyLedger::absorbedOpaque,
+    &EnergyLedger::scattered, &EnergyLedger::exited,    &EnergyLedger::reflected, &EnergyLedger::followed,
+    &EnergyLedger::culled,    &EnergyLedger::depositedAbsorbed, &EnergyLedger::depositedScattered};
 
 } // namespace
 
@@ -34,6 +34,7 @@ EnergyLedger EnergyLedger::ofBand(const glm::dvec3& toRgb) const {
 void BakeStatistics::addRun(const BakeStatistics& run) {
     seconds.upload += run.seconds.upload;
     seconds.propagate += run.seconds.propagate;
+    seconds.lobes += run.seconds.lobes;
     seconds.read += run.seconds.read;
     seconds.total += run.seconds.total;
     patches.peak = std::max(patches.peak, run.patches.peak);

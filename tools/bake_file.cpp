@@ -11,21 +11,13 @@
 #include "common/scene_toml.h"
 #include "common/spectrum.h"
 #include "common/vdb_io.h"
+#include "tools/lobe_grids.h"
 #include "tools/program.h"
 #include "tools/statistics_json.h"
 
 namespace eikonal {
 
 namespace {
-
-const VdbGrid& vectorGrid(const VdbFile& file, const std::filesystem::path& path, const std::string& name) {
-    const VdbGrid* grid = file.find(name);
-    if (grid == nullptr || grid->isScalar() || grid->vector().empty()) {
-        const std::string found = grid == nullptr ? "none of that name" : "one of type " + grid->typeName;
-        throw badInput(fmt::format("{}: expected a bake with a vector grid '{}', found {}", path.string(), name, found));
-    }
-    return *grid;
-}
 
 std::string textOf(const Metadata& metadata, const std::string& key) {
     const auto entry = metadata.find(key);
@@ -88,10 +80,20 @@ void writeBakeFile(const std::filesystem::path& path, const Scene& scene, const 
     for (const BandIrradiance& band : result.light.bands) {
         grids.push_back({.name = bandGridName(band.wavelengthNm), .values = &band.irradiance});
     }
+    const auto addEikonal = [&grids](const DenseGrid<float>& values, const std::string& name) {
+        if (!values.empty()) {
+            grids.push_back({.name = name, .values = &values, .background = glm::vec3(kUnreached)});
+        }
+    };
+    addEikonal(result.light.eikonal, "eikonal");
     for (const NamedLight& part : result.parts) {
         grids.push_back({.name = "irradiance_" + part.name, .values = &part.light.irradiance});
         grids.push_back({.name = "light_direction_" + part.name, .values = &part.light.lightDirection});
+        addEikonal(part.light.eikonal, "eikonal_" + part.name);
     }
+    const LobeGrids lobes(result.light);
+    const std::vector<NamedGrid> lobeGrids = lobes.named();
+    grids.insert(grids.end(), lobeGrids.begin(), lobeGrids.end());
     writeVdb(path, result.light.lattice, grids, metadata);
 }
 
@@ -109,7 +111,11 @@ BakedLight readBakeFile(const std::filesystem::path& path, const Scene& scene, c
                                    path.string(), scene.source,
                                    differenceFrom(scene, textOf(file.metadata, "scene"), path.string())));
     }
-    return {latticeOf(irradiance), irradiance.vector(), direction.vector(), bandsOf(file, scene, irradiance.size())};
+    return {.lattice = latticeOf(irradiance),
+            .irradiance = irradiance.vector(),
+            .lightDirection = direction.vector(),
+            .lobes = readLobes(file, path, irradiance.size()),
+            .bands = bandsOf(file, scene, irradiance.size())};
 }
 
 } // namespace eikonal

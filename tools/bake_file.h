@@ -1,6 +1,7 @@
 #pragma once
 // Bakes as VDB files: grids `irradiance` and `light_direction`, the irradiance of spectral bands (`irradiance_450nm`, ...),
-// the first two for each light where a bake holds them apart (`irradiance_light0`, ...), and metadata that says what they were baked from.
+// the first two for each light where a bake holds them apart (`irradiance_light0`, ...), lobes where it has them
+// (tools/lobe_grids.h), and metadata that says what they were baked from.
 
 #include <filesystem>
 #include <optional>

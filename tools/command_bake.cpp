@@ -35,6 +35,7 @@ struct BakeArguments {
     std::vector<double> wavefront;  ///< optical times [scene units]; empty: a bake
     int frames = 0;  ///< of a sequence; 0: a single bake, of frame 0
     bool perLight = false;
+    bool eikonal = false;
 
     bool isSequence() const { return frames > 0; }
     std::string outputOf(int frame) const { return isSequence() ? frameName(output, frame) : output; }
@@ -117,6 +118,7 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     const EffectSet effects = decideEffects(scene, fields);
     const LightSet lights = lightsOf(scene, effects);
     BakeOptions bakeOptions;
+    bakeOptions.eikonal = arguments.eikonal;
     bakeOptions.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
     LightSimulator simulator(context, scene, fields, effects, bakeOptions);
     std::vector<nlohmann::json> statistics;
@@ -153,6 +155,9 @@ void addBakeCommand(CLI::App& program, const ProgramOptions& options) {
             ->check(CLI::PositiveNumber);
     CLI::Option* perLight =
         command->add_flag("--per-light", arguments->perLight, "simulate each light on its own and write its grids too");
+    CLI::Option* eikonal =
+        command->add_flag("--eikonal", arguments->eikonal,
+                          "write the least optical path from a light to each voxel too, as grid 'eikonal'");
     command->add_option("--wavefront", arguments->wavefront,
                         "write the wavefronts' patches at these optical times instead of a bake; in scene units from when "
                         "a light first meets the domain")
@@ -161,7 +166,8 @@ void addBakeCommand(CLI::App& program, const ProgramOptions& options) {
         ->allow_extra_args(false)
         ->excludes(statistics)
         ->excludes(frames)
-        ->excludes(perLight);
+        ->excludes(perLight)
+        ->excludes(eikonal);
     addIntegerKey(*command, arguments->scene,
                   {"--resolution", "domain.resolution", "VOXELS",
                    fmt::format("voxels along the domain's longest side [the scene's, else {}]", Domain{}.resolution)});

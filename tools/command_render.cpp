@@ -13,7 +13,6 @@
 #include "common/effects.h"
 #include "common/fields.h"
 #include "common/gpu/context.h"
-#include "common/image_io.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
 #include "common/scene_toml.h"
@@ -22,6 +21,7 @@
 #include "tools/scene_arguments.h"
 #include "tools/statistics_json.h"
 #include "tools/terminal.h"
+#include "viewer/image_file.h"
 #include "viewer/render.h"
 
 namespace eikonal {
@@ -79,19 +79,6 @@ Light lightOf(const RenderArguments& arguments, const gpu::Context& context, con
     return {std::move(result.light), std::move(result.statistics)};
 }
 
-void writeImage(const RenderArguments& arguments, const Scene& scene, const RenderResult& image) {
-    if (lowerExtension(arguments.output) != ".exr") {
-        writeDisplay(arguments.output, image.size, image.display);
-        return;
-    }
-    std::vector<ImageChannel> channels;
-    for (const RenderChannel& channel : image.channels) {
-        channels.push_back({channel.name, &channel.values});
-    }
-    writeExr(arguments.output, image.size, channels,
-             {{"software", fmt::format("{} {}", kCreator, kVersion)}, {"scene", resolvedToml(scene)}});
-}
-
 void writeStatistics(const std::string& file, const RenderResult& image, const Light& light, const EffectSet& effects) {
     nlohmann::json statistics = renderJson(image.statistics, effects);
     if (light.statistics) {
@@ -118,7 +105,8 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
         renderScene(context, scene, fields, effects, light.baked ? &*light.baked : nullptr, renderOptions);
     progress.finish();
 
-    writeImage(arguments, scene, image);
+    writeRendered(arguments.output, image,
+                  {{"software", fmt::format("{} {}", kCreator, kVersion)}, {"scene", resolvedToml(scene)}});
     if (!arguments.statistics.empty()) {
         writeStatistics(arguments.statistics, image, light, effects);
     }

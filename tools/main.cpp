@@ -10,10 +10,12 @@
 #include "common/error.h"
 #include "common/interrupt.h"
 #include "tools/command_bake.h"
+#include "tools/command_bench.h"
 #include "tools/command_figure.h"
 #include "tools/command_info.h"
 #include "tools/command_render.h"
 #include "tools/command_trace.h"
+#include "tools/command_view.h"
 #include "tools/command_voxelize.h"
 #include "tools/program.h"
 
@@ -31,8 +33,10 @@ void addCommands(CLI::App& program, eikonal::ProgramOptions& options) {
     eikonal::addVoxelizeCommand(program, options);
     eikonal::addBakeCommand(program, options);
     eikonal::addRenderCommand(program, options);
+    eikonal::addViewCommand(program, options);
     eikonal::addTraceCommand(program, options);
     eikonal::addInfoCommand(program, options);
+    eikonal::addBenchCommand(program, options);
     eikonal::addFigureCommand(program, options);
 }
 

@@ -2,22 +2,32 @@
 
 namespace eikonal::viewer {
 
-Accumulate::Accumulate(const gpu::Context& context, const std::vector<std::string>& defines, std::size_t capacity)
-    : kernel_(context, "viewer/accumulate.comp.glsl", defines),
-      film_(context, capacity * sizeof(gpu::FilmPixel), "film"),
-      counters_(context, 4 * sizeof(std::uint32_t), "ray counts") {
+Accumulate::Accumulate(const gpu::Context& context, const std::vector<std::string>& defines)
+    : kernel_(context, "viewer/accumulate.comp.glsl", defines), film_(context, 0, "film"),
+      counters_(context, 8 * sizeof(std::uint32_t), "ray counts") {
     counters_.fill(0);
 }
 
-void Accumulate::run(const RayBatch& batch) const {
+void Accumulate::reserve(const gpu::Context& context, std::size_t pixels) {
+    const std::size_t bytes = pixels * sizeof(gpu::FilmPixel);
+    if (film_.bytes() < bytes) film_ = gpu::Buffer(context, bytes, "film");
+}
+
+void Accumulate::bind() const {
     film_.bindStorage(gpu::kStorageFilm);
     counters_.bindStorage(gpu::kStorageCounters);
-    kernel_.dispatch(batch.groups());
+}
+
+gpu::FilmPixel Accumulate::pixel(std::size_t index) const {
+    gpu::FilmPixel pixel;
+    film_.downloadBytes(index * sizeof pixel, &pixel, sizeof pixel);
+    return pixel;
 }
 
 RayCounts Accumulate::counts() const {
-    const auto words = counters_.download<std::uint32_t>(4);
-    return {words[0] + (std::uint64_t(words[1]) << 32), words[2] + (std::uint64_t(words[3]) << 32)};
+    const auto words = counters_.download<std::uint32_t>(8);
+    const auto count = [&](std::size_t i) { return words[2 * i] + (std::uint64_t(words[2 * i + 1]) << 32); };
+    return {count(0), count(1), count(2), count(3)};
 }
 
 } // namespace eikonal::viewer

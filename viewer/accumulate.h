@@ -1,5 +1,5 @@
 #pragma once
-// Fourth step: samples into the film of a tile, and counts.
+// Fourth step: samples into the film, and counts.
 
 #include <cstdint>
 
@@ -11,16 +11,23 @@ namespace eikonal::viewer {
 struct RayCounts {
     std::uint64_t entered = 0;      ///< rays that entered the domain
     std::uint64_t evaluations = 0;  ///< of the index field
+    std::uint64_t lookUps = 0;      ///< of the clearance ahead
+    std::uint64_t matterSamples = 0;  ///< of absorption, scattering and emission
 };
 
 class Accumulate {
 public:
-    Accumulate(const gpu::Context& context, const std::vector<std::string>& defines, std::size_t capacity);
+    Accumulate(const gpu::Context& context, const std::vector<std::string>& defines);
 
-    void run(const RayBatch& batch) const;
-    /// The film of a tile of that many pixels.
+    /// Room for that many pixels at least. What the film held may be gone.
+    void reserve(const gpu::Context& context, std::size_t pixels);
+    void bind() const;
+    void run(const RayBatch& batch) const { kernel_.dispatch(batch.groups()); }
+    /// The first pixels of the film.
     std::vector<gpu::FilmPixel> film(std::size_t pixels) const { return film_.download<gpu::FilmPixel>(pixels); }
+    gpu::FilmPixel pixel(std::size_t index) const;
     RayCounts counts() const;
+    std::size_t filmBytes() const { return film_.bytes(); }
 
 private:
     gpu::Kernel kernel_;

@@ -22,7 +22,7 @@ public:
     void bind() const;
     /// The irradiance of a band, in all channels. Without grids by band the one of all is bound.
     void bindBand(std::size_t band) const;
-    /// "BAKED_LIGHT" if there is one.
+    /// "BAKED_LIGHT" if there is one, "LIGHT_LOBES" if it has lobes.
     std::vector<std::string> defines() const;
     std::vector<std::pair<std::string, std::size_t>> textures() const;
 
@@ -30,6 +30,7 @@ private:
     struct Textures {
         Lattice lattice;
         gpu::Texture3D irradiance, direction;
+        std::optional<gpu::Texture2D> lobes;
         std::vector<gpu::Texture3D> bands;
     };
     std::optional<Textures> textures_;

@@ -9,8 +9,10 @@ namespace eikonal::viewer {
 
 namespace {
 
-// Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included.
-constexpr std::uint32_t kIterationsPerDispatch = 4096;
+// Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included; a vector of
+// eight rays has one count, and in the worst case they take their turns one after the other.
+constexpr std::uint32_t kIterationsPerDispatch = 65535 / 8;
+constexpr std::uint32_t kIterationsPerFlight = 16;  // kSamplesPerFlight of shaders/viewer/flight.glsl
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
 
@@ -31,6 +33,16 @@ std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& latt
     return std::max(kLeastEvaluations, std::uint32_t(std::min(kDiagonals * diagonalSteps, 1e9)));
 }
 
+/// Loop iterations of a step or flight: its own, and of each sample of matter one and those over the voxels about it.
+std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::uint32_t samplesPerHalf) {
+    constexpr std::uint32_t kVoxelsAbout = 8;
+    const auto has = [&](const char* define) {
+        return std::find(defines.begin(), defines.end(), define) != defines.end();
+    };
+    const std::uint32_t samples = std::max(has("STRAIGHT_FLIGHTS") ? kIterationsPerFlight : 1u, 2 * samplesPerHalf);
+    return 1 + samples * (has("LIGHT_LOBES") ? 1 + kVoxelsAbout : 1);
+}
+
 std::vector<std::string> withSamples(std::vector<std::string> defines, std::uint32_t samplesPerHalf) {
     defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalf));
     return defines;
@@ -43,9 +55,11 @@ March::March(const gpu::Context& context, const std::vector<std::string>& define
     : samplesPerHalf_(samplesPerHalfOf(checkedStep(settings.stepVoxels))),
       maxEvaluations_(evaluationLimit(settings, lattice)),
       stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
-                                                : kIterationsPerDispatch / (1 + 2 * samplesPerHalf_)),
+                                                : kIterationsPerDispatch / iterationsPerStep(defines, samplesPerHalf_)),
       stepLength_(settings.stepVoxels * lattice.voxel),
-      kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)) {}
+      kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)),
+      groups_{gpu::Buffer(context, sizeof(glm::uvec3), "march groups"),
+              gpu::Buffer(context, sizeof(glm::uvec3), "march groups")} {}
 
 void March::configure(gpu::ViewBlock& view) const {
     view.stepLength = float(stepLength_);
@@ -53,14 +67,21 @@ void March::configure(gpu::ViewBlock& view) const {
     view.stepsPerSlice = stepsPerSlice_;
 }
 
-void March::run(const RayBatch& batch) const {
+void March::run(const RayBatch& batch) {
     for (std::uint32_t slice = 0; runSlice(batch, slice); ++slice) {
     }
 }
 
-bool March::runSlice(const RayBatch& batch, std::uint32_t slice) const {
-    kernel_.dispatch(batch.groups());
-    // Every step of a ray that goes on is an evaluation.
+bool March::runSlice(const RayBatch& batch, std::uint32_t slice) {
+    gpu::Buffer& next = groups_[(slice + 1) % 2];
+    next.upload(glm::uvec3(0, 1, 1));
+    next.bindStorage(gpu::kStorageMarchGroups);
+    if (slice == 0) {
+        kernel_.dispatch(batch.groups());
+    } else {
+        kernel_.dispatchIndirect(groups_[slice % 2], 0);
+    }
+    // Every step of a ray that goes on is an evaluation or a look-up.
     return (std::uint64_t(slice) + 1) * stepsPerSlice_ < maxEvaluations_;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Second step: rays through the domain, in slices of bounded length.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,22 +13,23 @@ namespace eikonal::viewer {
 
 struct MarchSettings {
     double stepVoxels = 1.0;           ///< arc length of a step [voxels]
-    std::uint32_t maxEvaluations = 0;  ///< of the index field, by ray; 0: eight times the domain's diagonal, at least 4096
+    std::uint32_t maxEvaluations = 0;  ///< and look-ups, by ray; 0: eight times the domain's diagonal, at least 4096
     std::uint32_t stepsPerSlice = 0;   ///< of one dispatch; 0: as many as every device finishes
 };
 
 class March {
 public:
-    /// `defines`: effects, BAKED_LIGHT, ENVIRONMENT_IMAGE, MANUAL_FILTERING. Throws badInput for a step that is not positive.
+    /// `defines`: effects, BAKED_LIGHT, LIGHT_LOBES, ENVIRONMENT_IMAGE, STRAIGHT_FLIGHTS, MANUAL_FILTERING. Throws badInput
+    /// for a step that is not positive.
     March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
           const Lattice& lattice);
 
     /// Sets what the kernel reads of the settings.
     void configure(gpu::ViewBlock& view) const;
     /// Follows all rays to their ends.
-    void run(const RayBatch& batch) const;
-    /// Follows all rays by one slice; returns false when none can be under way any more.
-    bool runSlice(const RayBatch& batch, std::uint32_t slice) const;
+    void run(const RayBatch& batch);
+    /// Follows all rays by one slice, the first being 0; returns false when none can be under way any more.
+    bool runSlice(const RayBatch& batch, std::uint32_t slice);
 
 private:
     std::uint32_t samplesPerHalf_;
@@ -35,6 +37,7 @@ private:
     std::uint32_t stepsPerSlice_;
     double stepLength_;
     gpu::Kernel kernel_;
+    std::array<gpu::Buffer, 2> groups_;  ///< of this slice and the next, which ones in turn
 };
 
 } // namespace eikonal::viewer

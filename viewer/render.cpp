@@ -3,22 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
-#include <optional>
 #include <stdexcept>
-
-#include "common/accuracy.h"
-#include "common/environment_map.h"
-#include "common/gpu_fields.h"
-#include "common/image_io.h"
-#include "common/spectral_fields.h"
-#include "viewer/accumulate.h"
-#include "viewer/band_passes.h"
-#include "viewer/environment.h"
-#include "viewer/generate.h"
-#include "viewer/light.h"
-#include "viewer/shade.h"
-#include "viewer/tone_map.h"
 
 namespace eikonal {
 
@@ -29,101 +14,22 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::array kChannelNames = {"R",       "G",       "B",       "exit.X",       "exit.Y",
                                       "exit.Z",  "depth.R", "depth.G", "depth.B",      "throughput.R",
-                                      "throughput.G", "throughput.B", "steps", "Z",    "optical_length"};
+                                      "throughput.G", "throughput.B", "steps", "Z",    "optical_length",
+                                      "N.X",     "N.Y",     "N.Z"};
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-template <class Row>
-void append(std::vector<Row>& rows, const std::vector<Row>& more) {
-    rows.insert(rows.end(), more.begin(), more.end());
-}
-
-/// All that stays on the device while an image is made.
-struct Pipeline {
-    GpuFields fields;
-    viewer::EnvironmentLight environment;
-    viewer::BandPasses passes;
-    viewer::Light light;
-    std::vector<std::string> defines;
-    viewer::RayBatch batch;
-    viewer::Generate generate;
-    viewer::March march;
-    viewer::Shade shade;
-    viewer::Accumulate accumulate;
-    viewer::ToneMapper toneMap;
-
-    Pipeline(const gpu::Context& context, const Scene& scene, const Fields& sceneFields, const EffectSet& effects,
-             const BakedLight* bake, const Image* map, const RenderOptions& options, std::size_t capacity)
-        : fields(context, sceneFields, effects),
-          // An environment that lights the bake is in its irradiance already.
-          environment(context, scene.environment, map,
-                      effects.has(Effect::kOpaque) && effects.has(Effect::kEnvironment) &&
-                          !(bake && scene.environment.bake)),
-          passes(spectralBandsOf(scene.accuracy, effects), scene.render.samples),
-          light(context, bake, passes.bandCount()), defines(fields.defines()), batch(context, capacity),
-          generate(context, fields.defines(), viewer::Generate::Source::kCamera),
-          march(context, allDefines(),
-                {stepVoxelsOf(scene.accuracy), options.maxEvaluations, options.stepsPerSlice},
-                sceneFields.lattice),
-          shade(context, defines), accumulate(context, defines, capacity), toneMap(context, scene.render.toneMap, capacity) {}
-
-    const std::vector<std::string>& allDefines() {
-        append(defines, environment.defines());
-        append(defines, light.defines());
-        return defines;
-    }
-    std::vector<std::pair<std::string, std::size_t>> textures() const {
-        auto rows = fields.textures();
-        append(rows, light.textures());
-        append(rows, environment.textures());
-        return rows;
-    }
-};
-
-bool hasGreyMatter(const Fields& fields) {
-    return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
-}
-
-void configure(Pipeline& pipeline, const Scene& scene, const Fields& fields, const RenderOptions& options) {
-    gpu::ViewBlock& view = pipeline.batch.view;
-    view.opaqueOffset = float(fields.lattice.voxel);
-    view.minThroughput = float(options.minThroughput);
-    view.exposureScale = float(std::exp2(scene.render.exposureEv));
-    view.sampleWeight = 1.0f / float(scene.render.samples);
-    viewer::configureCamera(view, scene.camera, scene.render.size);
-    pipeline.environment.configure(view);
-    pipeline.light.configure(view);
-    pipeline.march.configure(view);
-    pipeline.passes.configure(view, pipeline.light.isByBand() && !hasGreyMatter(fields));
-    pipeline.fields.bind();
-    pipeline.light.bind();
-    pipeline.environment.bind();
-}
-
-void renderSample(Pipeline& pipeline, const Tile& tile, int sample, viewer::PixelFilter filter) {
-    viewer::RayBatch& batch = pipeline.batch;
-    viewer::configureTile(batch.view, tile);
-    batch.view.sampleIndex = gpu::uint(sample);
-    batch.view.subPixel = viewer::subPixelPosition(sample, filter);
-    for (std::size_t pass = 0; pass < pipeline.passes.count(); ++pass) {
-        pipeline.passes.begin(pass, sample, batch.view, pipeline.fields, pipeline.light);
-        batch.bind();
-        pipeline.generate.run(batch);
-        pipeline.march.run(batch);
-        pipeline.shade.run(batch);
-        pipeline.accumulate.run(batch);
-    }
-}
 
 std::array<float, kChannelNames.size()> channelValues(const gpu::FilmPixel& p) {
     return {p.radiance.x,   p.radiance.y,   p.radiance.z,   p.exitDirection.x, p.exitDirection.y,
             p.exitDirection.z, p.depth.x,   p.depth.y,      p.depth.z,         p.throughput.x,
-            p.throughput.y, p.throughput.z, p.steps,        p.entryDistance,   p.opticalLength};
+            p.throughput.y, p.throughput.z, p.steps,        p.entryDistance,   p.opticalLength,
+            p.normal.x,     p.normal.y,     p.normal.z};
 }
 
-void collectTile(const Pipeline& pipeline, const Tile& tile, RenderResult& result) {
-    const auto film = pipeline.accumulate.film(tile.pixels());
-    const auto display = pipeline.toneMap.display(tile.pixels());
+void collectRegion(ProgressiveImage& image, RenderResult& result) {
+    const Tile& tile = image.region();
+    const auto film = image.film();
+    const auto display = image.display();
     for (std::size_t i = 0; i < film.size(); ++i) {
         const int x = tile.origin.x + int(i) % tile.size.x;
         const int y = tile.origin.y + int(i) / tile.size.x;
@@ -143,14 +49,15 @@ RenderResult blankResult(const glm::ivec2& size) {
     return result;
 }
 
-void count(const Pipeline& pipeline, const gpu::Context& context, std::size_t capacity, RenderResult& result) {
-    const viewer::RayCounts counts = pipeline.accumulate.counts();
-    RenderStatistics& statistics = result.statistics;
+void count(const ProgressiveImage& image, const gpu::Context& context, RenderStatistics& statistics) {
+    const viewer::RayCounts counts = image.counts();
     statistics.fieldEvaluations = counts.evaluations;
-    statistics.steps = counts.evaluations - counts.entered;
-    statistics.textures = pipeline.textures();
+    statistics.clearanceLookUps = counts.lookUps;
+    statistics.matterSamples = counts.matterSamples;
+    statistics.steps = counts.evaluations - counts.entered + counts.lookUps;
+    statistics.textures = image.textures();
     statistics.device = context.rendererName();
-    statistics.memoryBytes = capacity * (sizeof(gpu::RayState) + sizeof(gpu::FilmPixel) + sizeof(glm::vec4));
+    statistics.memoryBytes = image.bufferBytes();
     for (const auto& [name, bytes] : statistics.textures) statistics.memoryBytes += bytes;
 }
 
@@ -170,32 +77,38 @@ glm::vec3 RenderResult::radiance(int x, int y) const {
 RenderResult renderScene(const gpu::Context& context, const Scene& scene, const Fields& fields,
                          const EffectSet& effects, const BakedLight* bake, const RenderOptions& options) {
     const auto start = Clock::now();
-    const auto tiles = viewer::tilesOf(scene.render.size, options.tileRays);
-    const std::size_t capacity = tiles.empty() ? 0 : tiles.front().pixels();
-    const auto map = effects.has(Effect::kEnvironment) ? environmentImage(scene) : std::nullopt;
-    Pipeline pipeline(context, scene, fields, effects, bake, map ? &*map : nullptr, options, capacity);
-    configure(pipeline, scene, fields, options);
-    RenderResult result = blankResult(scene.render.size);
+    const auto regions = viewer::tilesOf(scene.render.size, options.tileRays);
+    RenderOptions imageOptions = options;
+    imageOptions.tileRays = regions.empty() ? 0 : regions.front().pixels();
+    ProgressiveImage image(context, scene, fields, effects, bake, imageOptions);
     const double setupSeconds = secondsSince(start);
-
-    std::size_t done = 0;
-    for (const Tile& tile : tiles) {
-        for (int sample = 0; sample < scene.render.samples; ++sample) {
-            renderSample(pipeline, tile, sample, options.filter);
-            result.statistics.rays += tile.pixels();
-            done += tile.pixels();
-            if (options.progress) {
-                options.progress(double(done) / (double(result.display.size()) * scene.render.samples));
-            }
-        }
-        pipeline.toneMap.run(pipeline.batch);
-        collectTile(pipeline, tile, result);
-    }
-    count(pipeline, context, capacity, result);
+    RenderResult result = renderFrame(image, scene.render, options.progress);
+    count(image, context, result.statistics);
     context.throwIfError();
     const double totalSeconds = secondsSince(start);
     result.statistics.seconds = {
         {"setup", setupSeconds}, {"image", totalSeconds - setupSeconds}, {"total", totalSeconds}};
+    return result;
+}
+
+RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings,
+                         const std::function<void(double)>& progress) {
+    RenderResult result = blankResult(settings.size);
+    const double allRays = double(result.display.size()) * settings.samples;
+    for (const Tile& region : viewer::tilesOf(settings.size, image.mostRays())) {
+        image.setFrame(settings.size, region);
+        while (image.samples() < settings.samples) {
+            result.statistics.rays += image.addRays(region.pixels());
+            if (progress) progress(double(result.statistics.rays) / allRays);
+        }
+        collectRegion(image, result);
+    }
+    return result;
+}
+
+RenderResult readImage(ProgressiveImage& image) {
+    RenderResult result = blankResult(image.frameSize());
+    collectRegion(image, result);
     return result;
 }
 

@@ -3,26 +3,17 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "common/baked_light.h"
 #include "common/effects.h"
 #include "common/gpu/context.h"
-#include "viewer/march.h"
-#include "viewer/view.h"
+#include "viewer/image.h"
+#include "viewer/render_options.h"
 
 namespace eikonal {
-
-/// What the scene does not say. Image size, samples, exposure, tone curve and step come from the scene.
-struct RenderOptions {
-    viewer::PixelFilter filter = viewer::PixelFilter::kBox;
-    std::uint32_t maxEvaluations = 0;     ///< of the index field by ray; 0: from the domain's size
-    std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes
-    std::size_t tileRays = 1u << 17;      ///< rays under way at a time: bounds the memory
-    double minThroughput = 1e-5;          ///< a ray of which less is left ends
-    std::function<void(double)> progress; ///< called with the fraction done; may throw to stop
-};
 
 /// One channel of the image, row after row from the top.
 struct RenderChannel {
@@ -33,8 +24,10 @@ struct RenderChannel {
 struct RenderStatistics {
     std::vector<std::pair<std::string, double>> seconds;  ///< by stage, the last one "total"
     std::uint64_t rays = 0;
-    std::uint64_t steps = 0;
+    std::uint64_t steps = 0;                              ///< evaluations after the first of each ray, and look-ups
     std::uint64_t fieldEvaluations = 0;                   ///< of the index field
+    std::uint64_t clearanceLookUps = 0;                   ///< how far the next straight flight may go
+    std::uint64_t matterSamples = 0;                      ///< of absorption, scattering and emission
     std::vector<std::pair<std::string, std::size_t>> textures;
     std::size_t memoryBytes = 0;                          ///< textures and buffers on the device
     std::string device;
@@ -44,7 +37,8 @@ struct RenderResult {
     glm::ivec2 size{0};
     /// Linear Rec.709 R, G, B, and of the ray through each pixel's centre: exit.X/Y/Z (unit direction at the end),
     /// depth.R/G/B (optical depth of extinction), throughput.R/G/B (of what lies behind), steps, Z (distance to where the
-    /// domain is entered, infinite if it is not) and optical_length, both in scene units.
+    /// domain is entered, infinite if it is not) and optical_length, both in scene units, and
+    /// N.X/Y/Z (outward normal of the opaque surface that the ray ends on, 0 where it meets none).
     std::vector<RenderChannel> channels;
     std::vector<glm::vec3> display;  ///< tone-mapped, sRGB-encoded, 0 to 1
     RenderStatistics statistics;
@@ -57,5 +51,13 @@ struct RenderResult {
 /// for grids beyond the device.
 RenderResult renderScene(const gpu::Context& context, const Scene& scene, const Fields& fields,
                          const EffectSet& effects, const BakedLight* bake, const RenderOptions& options = {});
+
+/// All samples of a frame, region after region, so that a film of any size fits the device. `progress`: as in RenderOptions.
+/// Statistics hold the rays only.
+RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings,
+                         const std::function<void(double)>& progress);
+
+/// The channels and the display of an image whose region is its whole frame, without statistics.
+RenderResult readImage(ProgressiveImage& image);
 
 } // namespace eikonal

@@ -2,9 +2,7 @@
 
 namespace eikonal::viewer {
 
-namespace {
-
-std::vector<std::string> curveDefines(ToneMap curve) {
+std::vector<std::string> toneDefines(ToneMap curve) {
     switch (curve) {
         case ToneMap::kAgx: return {"TONE_AGX"};
         case ToneMap::kReinhard: return {"TONE_REINHARD"};
@@ -13,11 +11,13 @@ std::vector<std::string> curveDefines(ToneMap curve) {
     return {};
 }
 
-} // namespace
+ToneMapper::ToneMapper(const gpu::Context& context, ToneMap curve)
+    : kernel_(context, "viewer/tone_map.comp.glsl", toneDefines(curve)), display_(context, 0, "display") {}
 
-ToneMapper::ToneMapper(const gpu::Context& context, ToneMap curve, std::size_t capacity)
-    : kernel_(context, "viewer/tone_map.comp.glsl", curveDefines(curve)),
-      display_(context, capacity * sizeof(glm::vec4), "display") {}
+void ToneMapper::reserve(const gpu::Context& context, std::size_t pixels) {
+    const std::size_t bytes = pixels * sizeof(glm::vec4);
+    if (display_.bytes() < bytes) display_ = gpu::Buffer(context, bytes, "display");
+}
 
 void ToneMapper::run(const RayBatch& batch) const {
     display_.bindStorage(gpu::kStorageDisplay);

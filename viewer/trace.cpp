@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "common/accuracy.h"
 #include "common/gpu_fields.h"
 #include "common/physics.h"
 #include "common/spectral_fields.h"
+#include "viewer/clearance.h"
 #include "viewer/generate.h"
 #include "viewer/march.h"
 
@@ -26,22 +28,43 @@ EffectSet tracedEffects(EffectSet effects) {
 
 double wavelengthOf(const TraceRay& ray) { return ray.wavelengthMicrons.value_or(f64::kReferenceMicrons); }
 
+std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const Fields& fields,
+                                              const EffectSet& effects, const Accuracy& accuracy,
+                                              StraightFlights flights) {
+    if (flights == StraightFlights::kNone) return std::nullopt;
+    return viewer::Clearance(context, fields, tracedEffects(effects), {.tolerance = accuracy.tolerance});
+}
+
 /// The kernels and buffers that rays are followed with, batch after batch.
 struct Tracer {
     GpuFields fields;
+    std::optional<viewer::Clearance> clearance;
+    std::vector<std::string> defines;
     viewer::RayBatch batch;
     gpu::Buffer given;
     viewer::Generate generate;
     viewer::March march;
 
     Tracer(const gpu::Context& context, const Fields& sceneFields, const EffectSet& effects,
-           const viewer::MarchSettings& settings, std::size_t capacity)
-        : fields(context, sceneFields, tracedEffects(effects)), batch(context, capacity),
+           const Accuracy& accuracy, StraightFlights flights, std::uint32_t stepsPerSlice, std::size_t capacity)
+        : fields(context, sceneFields, tracedEffects(effects)),
+          clearance(clearanceFor(context, sceneFields, effects, accuracy, flights)),
+          defines(allDefines()), batch(context, capacity),
           given(context, capacity * sizeof(gpu::GivenRay), "given rays"),
           generate(context, fields.defines(), viewer::Generate::Source::kGiven),
-          march(context, fields.defines(), settings, sceneFields.lattice) {
+          march(context, defines, {.stepVoxels = stepVoxelsOf(accuracy), .stepsPerSlice = stepsPerSlice},
+                sceneFields.lattice) {
         march.configure(batch.view);
         batch.view.bandChannel = gpu::kAllChannels;
+        if (clearance) clearance->configure(batch.view);
+    }
+
+    std::vector<std::string> allDefines() const {
+        auto all = fields.defines();
+        if (clearance) {
+            for (const std::string& define : clearance->defines()) all.push_back(define);
+        }
+        return all;
     }
 
     /// Rays of one wavelength.
@@ -56,6 +79,7 @@ struct Tracer {
         batch.bind();
         given.bindStorage(gpu::kStorageGiven);
         fields.bind();
+        if (clearance) clearance->bind();
         generate.run(batch);
     }
 
@@ -146,10 +170,10 @@ std::string_view traceStatusName(TraceStatus status) {
 }
 
 std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
-                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
+                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays,
+                                   StraightFlights flights) {
     requireIndex(fields, effects, rays);
-    Tracer tracer(context, fields, effects, {.stepVoxels = stepVoxelsOf(accuracy)},
-                  std::min(rays.size(), kRaysAtATime));
+    Tracer tracer(context, fields, effects, accuracy, flights, 0, std::min(rays.size(), kRaysAtATime));
     std::vector<TraceResult> results(rays.size());
     for (const Batch& batch : batchesOf(rays, effects.has(Effect::kDispersion))) {
         tracer.start(batch.rays);
@@ -164,8 +188,7 @@ std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fi
 std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
     requireIndex(fields, effects, rays);
-    Tracer tracer(context, fields, effects, {.stepVoxels = stepVoxelsOf(accuracy), .stepsPerSlice = 1},
-                  std::min(rays.size(), kRaysAtATime));
+    Tracer tracer(context, fields, effects, accuracy, StraightFlights::kTaken, 1, std::min(rays.size(), kRaysAtATime));
     std::vector<std::vector<TraceResult>> paths(rays.size());
     for (const Batch& batch : batchesOf(rays, effects.has(Effect::kDispersion))) {
         auto some = batchPaths(tracer, batch.rays);

@@ -14,7 +14,7 @@ namespace eikonal {
 struct TraceRay {
     glm::dvec3 origin{0.0};     ///< [scene units]
     glm::dvec3 direction{0.0};  ///< any length but 0
-    std::optional<double> wavelengthMicrons;  ///< in vacuum; unset: that at which a scene gives its index
+    std::optional<double> wavelengthMicrons{};  ///< in vacuum; unset: that at which a scene gives its index
 };
 
 enum class TraceStatus { kExited, kAbsorbed, kLimit, kMissed };
@@ -37,13 +37,17 @@ struct TracePoint {
     TraceResult at;       ///< status kExited while the ray is under way
 };
 
+/// Whether rays cross places where nothing bends them in one flight, or step through everything.
+enum class StraightFlights { kTaken, kNone };
+
 /// Follows rays from where they enter the domain, or start inside, to where they leave; one result a ray, in order.
 /// Of `effects`, refraction, dispersion, absorption and opaque count. Throws badInput for a step that is not positive, and for
 /// a wavelength at which the index is not.
 std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
-                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays);
+                                   const Accuracy& accuracy, const std::vector<TraceRay>& rays,
+                                   StraightFlights flights = StraightFlights::kTaken);
 
-/// The same with every step: the entry, then each step's end; ray after ray.
+/// The same with every step, a flight being one: the entry, then each step's end; ray after ray.
 std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays);
 

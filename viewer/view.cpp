@@ -31,10 +31,17 @@ void configureCamera(gpu::ViewBlock& view, const Camera& camera, const glm::ivec
     view.imageSize = imageSize;
 }
 
-void configureTile(gpu::ViewBlock& view, const Tile& tile) {
+void configureTile(gpu::ViewBlock& view, const Tile& tile, std::size_t filmStart) {
     view.tileOrigin = tile.origin;
     view.tileSize = tile.size;
     view.rayCount = gpu::uint(tile.pixels());
+    view.filmStart = gpu::uint(filmStart);
+}
+
+void configureSample(gpu::ViewBlock& view, int sample, PixelFilter filter) {
+    view.sampleIndex = gpu::uint(sample);
+    view.sampleWeight = 1.0f / float(sample + 1);
+    view.subPixel = subPixelPosition(sample, filter);
 }
 
 glm::vec2 subPixelPosition(int sample, PixelFilter filter) {
@@ -59,6 +66,15 @@ std::vector<Tile> tilesOf(const glm::ivec2& imageSize, std::size_t mostPixels) {
         }
     }
     return tiles;
+}
+
+Tile nextTile(const Tile& region, std::size_t done, std::size_t mostPixels) {
+    const int most = int(std::clamp<std::size_t>(mostPixels, 1, 1u << 24));
+    const glm::ivec2 at(int(done % std::size_t(region.size.x)), int(done / std::size_t(region.size.x)));
+    const bool wholeRows = at.x == 0 && most >= region.size.x;
+    const glm::ivec2 size = wholeRows ? glm::ivec2(region.size.x, std::min(most / region.size.x, region.size.y - at.y))
+                                      : glm::ivec2(std::min(most, region.size.x - at.x), 1);
+    return {region.origin + at, size};
 }
 
 } // namespace eikonal::viewer

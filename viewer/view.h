@@ -19,7 +19,11 @@ struct Tile {
 /// Sets camera and image size. A camera that looks along `up`, or at its own position, gets another `up` or direction.
 void configureCamera(gpu::ViewBlock& view, const Camera& camera, const glm::ivec2& imageSize);
 
-void configureTile(gpu::ViewBlock& view, const Tile& tile);
+/// `filmStart`: pixels of the film before the tile's.
+void configureTile(gpu::ViewBlock& view, const Tile& tile, std::size_t filmStart);
+
+/// Sets which sample of each pixel is next, and its weight in the mean of those so far.
+void configureSample(gpu::ViewBlock& view, int sample, PixelFilter filter);
 
 /// Position of a sample within its pixel: the R2 low-discrepancy sequence, sample 0 at the centre. Gaussian samples
 /// (sigma half a pixel) may lie outside 0 to 1.
@@ -27,5 +31,8 @@ glm::vec2 subPixelPosition(int sample, PixelFilter filter);
 
 /// Tiles of at most `mostPixels` that cover an image, row after row.
 std::vector<Tile> tilesOf(const glm::ivec2& imageSize, std::size_t mostPixels);
+
+/// The pixels of `region` that follow the first `done`, row after row: whole rows, or a part of one, at most `mostPixels`.
+Tile nextTile(const Tile& region, std::size_t done, std::size_t mostPixels);
 
 } // namespace eikonal::viewer

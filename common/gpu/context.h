@@ -2,6 +2,7 @@
 // An OpenGL 4.5 core context. GPU objects are created from one that is passed in and are gone before it.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -23,6 +24,9 @@ public:
     /// A context without a window: EGL on a hardware device, then surfaceless, then any device, then the default display.
     /// Throws Error(kNoDevice) that says what was found when none gives OpenGL 4.5 core.
     static Context windowless(const ContextOptions& options = {});
+    /// The context that is current on this thread and belongs to someone else, a window say, who outlives this.
+    /// `makeCurrent` makes it current again. Throws Error(kNoDevice) if it is older than 4.5.
+    static Context ofCurrent(std::function<void()> makeCurrent, const ContextOptions& options = {});
 
     Context(Context&&) noexcept;
     Context& operator=(Context&&) noexcept;
@@ -38,6 +42,7 @@ public:
 private:
     struct Impl;
     explicit Context(std::unique_ptr<Impl> impl);
+    static Context adopt(std::function<void()> makeCurrent, std::function<void()> destroy, const ContextOptions& options);
     std::unique_ptr<Impl> impl_;
 };
 

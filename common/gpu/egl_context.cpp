@@ -3,7 +3,6 @@
 #include "common/gpu/context.h"
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -12,30 +11,10 @@
 #include <epoxy/gl.h>
 
 #include "common/error.h"
-#include "common/gpu/objects.h"
 
 namespace eikonal::gpu {
 
-struct Context::Impl {
-    EGLDisplay display = EGL_NO_DISPLAY;
-    EGLContext context = EGL_NO_CONTEXT;
-    DeviceLimits limits;
-    std::vector<std::string> errors;
-
-    // The display stays initialised: EGL hands the same one to every context of the process.
-    ~Impl() {
-        if (eglGetCurrentContext() == context) {
-            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        }
-        eglDestroyContext(display, context);
-    }
-};
-
 namespace {
-
-constexpr int kProbes = 1024;
-constexpr float kExactFiltering = 1e-5f;
-constexpr std::size_t kMostErrorsKept = 16;
 
 struct Candidate {
     EGLDisplay display;
@@ -102,36 +81,11 @@ std::optional<EGLContext> contextOn(const Candidate& candidate, std::string& rep
     return context;
 }
 
-void GLAPIENTRY collectError(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* message,
-                             const void* user) {
-    if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) return;
-    auto& errors = *static_cast<std::vector<std::string>*>(const_cast<void*>(user));
-    if (errors.size() < kMostErrorsKept) errors.emplace_back(message, std::size_t(length));
-}
-
-DeviceLimits queriedLimits() {
-    DeviceLimits limits;
-    GLint64 blockBytes = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &blockBytes);
-    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limits.maxTexture3dSize);
-    limits.maxStorageBlockBytes = std::size_t(blockBytes);
-    return limits;
-}
-
-/// Whether the texture unit interpolates with the precision of a float, measured.
-bool filtersExactly(const Context& context) {
-    Texture3D ramp(context, TexelFormat::kR32f, {2, 1, 1}, "filtering probe");
-    const std::array<float, 2> texels = {0.0f, 1.0f};
-    ramp.upload(texels.data());
-    ramp.bind(0);
-    Buffer values(context, kProbes * sizeof(float), "filtering probe values");
-    values.bindStorage(0);
-    Kernel(context, "gpu/linear_filtering.comp.glsl", {}).dispatch({kProbes / 64, 1, 1});
-    const auto sampled = values.download<float>(kProbes);
-    for (int i = 0; i < kProbes; ++i) {
-        if (!(std::abs(sampled[std::size_t(i)] - float(i) / float(kProbes)) <= kExactFiltering)) return false;
+void destroy(EGLDisplay display, EGLContext context) {
+    if (eglGetCurrentContext() == context) {
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
-    return true;
+    eglDestroyContext(display, context);
 }
 
 } // namespace
@@ -140,44 +94,15 @@ Context Context::windowless(const ContextOptions& options) {
     if (!epoxy_has_egl()) throw Error(ExitCode::kNoDevice, "no OpenGL 4.5 context: libEGL is not installed");
     std::string report;
     for (const Candidate& candidate : candidateDisplays()) {
-        const auto made = contextOn(candidate, report);
-        if (!made) continue;
-        auto impl = std::make_unique<Impl>();
-        impl->display = candidate.display;
-        impl->context = *made;
-        glEnable(GL_DEBUG_OUTPUT);
-        glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-        glDebugMessageCallback(collectError, &impl->errors);
-        impl->limits = queriedLimits();
-        Context context(std::move(impl));
-        context.impl_->limits.exactLinearFiltering = !options.forceManualFiltering && filtersExactly(context);
-        context.throwIfError();
-        return context;
+        const auto context = contextOn(candidate, report);
+        if (!context) continue;
+        // The display stays initialised: EGL hands the same one to every context of the process.
+        const EGLDisplay display = candidate.display;
+        const EGLContext made = *context;
+        return adopt([=] { eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, made); },
+                     [=] { destroy(display, made); }, options);
     }
     throw Error(ExitCode::kNoDevice, "no OpenGL 4.5 core context; tried:" + report);
-}
-
-Context::Context(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Context::Context(Context&&) noexcept = default;
-Context& Context::operator=(Context&&) noexcept = default;
-Context::~Context() = default;
-
-void Context::makeCurrent() const {
-    eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context);
-}
-
-const DeviceLimits& Context::limits() const { return impl_->limits; }
-
-std::string Context::rendererName() const {
-    const auto text = [](GLenum name) { return std::string(reinterpret_cast<const char*>(glGetString(name))); };
-    return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
-}
-
-void Context::throwIfError() const {
-    std::string report;
-    for (const auto& message : impl_->errors) report += "\n  " + message;
-    impl_->errors.clear();
-    if (!report.empty()) throw failure("OpenGL reports errors:" + report);
 }
 
 } // namespace eikonal::gpu

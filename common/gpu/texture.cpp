@@ -17,6 +17,8 @@ struct FormatTraits {
 FormatTraits traitsOf(TexelFormat format) {
     switch (format) {
         case TexelFormat::kR8: return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
+        case TexelFormat::kRg8: return {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 2};
+        case TexelFormat::kRgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
         case TexelFormat::kR32f: return {GL_R32F, GL_RED, GL_FLOAT, 4};
         case TexelFormat::kRgba32f: break;
     }
@@ -105,6 +107,11 @@ void Texture<kDimensions>::showRedInAllChannels() {
 template <int kDimensions>
 void Texture<kDimensions>::bind(GLuint unit) const {
     glBindTextureUnit(unit, name_);
+}
+
+template <int kDimensions>
+void Texture<kDimensions>::bindImage(GLuint unit) const {
+    glBindImageTexture(unit, name_, 0, GL_TRUE, 0, GL_READ_WRITE, traitsOf(format_).internal);
 }
 
 template <int kDimensions>

@@ -43,10 +43,11 @@ glm::dvec3 advanceLight(const Field& field, LightRay& light, double ds) {
     return mean;
 }
 
-/// Follows one ray through the lattice from a point on its face or inside it.
-template <class Field>
+/// Follows one ray through the lattice from a point on its face or inside it. `deposit` gets, step by step, the voxel that
+/// holds the step's middle, the unit direction there and power × length.
+template <class Field, class Deposit>
 void followLight(const Field& field, const Lattice& lattice, LightRay light, const BeamBakeOptions& options,
-                 DenseGrid<glm::dvec3>& powerLength) {
+                 const Deposit& deposit) {
     const double ds = options.stepVoxels * lattice.voxel;
     const int maxSteps = int(options.maxPathDiagonals * glm::length(lattice.extent()) / ds);
     for (int i = 0; i < maxSteps; ++i) {
@@ -56,7 +57,7 @@ void followLight(const Field& field, const Lattice& lattice, LightRay light, con
         if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, lattice.size))) {
             return;
         }
-        powerLength.at(voxel) += mean * ds;
+        deposit(voxel, (light.ray.x - from) / glm::length(light.ray.x - from), mean * ds);
     }
 }
 
@@ -77,14 +78,11 @@ DenseGrid<glm::dvec3> unfoldedEightfold(const DenseGrid<glm::dvec3>& wedge) {
     return whole;
 }
 
-} // namespace
-
-template <class Field>
-DenseGrid<glm::dvec3> bakeSymmetricBeam(const Field& field, const Lattice& lattice, const BeamBakeOptions& options) {
+/// Follows the rays of one eighth of a unit beam along +x, by two threads; `deposit` also gets the thread's number.
+template <class Field, class Deposit>
+void followWedge(const Field& field, const Lattice& lattice, const BeamBakeOptions& options, const Deposit& deposit) {
     const int across = lattice.size.y * options.raysPerVoxelEdge;
     const double spacing = lattice.voxel / options.raysPerVoxelEdge;
-    std::array<DenseGrid<glm::dvec3>, 2> parts{DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0)),
-                                               DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0))};
     const auto work = [&](std::size_t part) {
         for (int j = across / 2 + int(part); j < across; j += 2) {
             for (int k = across / 2; k <= j; ++k) {
@@ -94,13 +92,84 @@ DenseGrid<glm::dvec3> bakeSymmetricBeam(const Field& field, const Lattice& latti
                 followLight(field, lattice,
                             {{start, glm::dvec3(n, 0.0, 0.0)}, glm::dvec3(share * spacing * spacing), {1.0, 1.0},
                              f64::crossingNone(n)},
-                            options, parts[part]);
+                            options, [&](const glm::ivec3& voxel, const glm::dvec3& direction, const glm::dvec3& powerLength) {
+                                deposit(part, voxel, direction, powerLength);
+                            });
             }
         }
     };
     std::thread other(work, 1);
     work(0);
     other.join();
+}
+
+/// A mirror image about the beam's axis and diagonals, of eight.
+glm::dvec3 mirrored(const glm::dvec3& v, int image) {
+    const glm::dvec3 turned = (image & 4) != 0 ? glm::dvec3(v.x, v.z, v.y) : v;
+    return turned * glm::dvec3(1.0, (image & 1) != 0 ? -1.0 : 1.0, (image & 2) != 0 ? -1.0 : 1.0);
+}
+
+glm::ivec3 mirrored(const glm::ivec3& voxel, const glm::ivec3& size, int image) {
+    const glm::ivec3 last = size - 1;
+    const glm::ivec3 turned = (image & 4) != 0 ? glm::ivec3(voxel.x, voxel.z, voxel.y) : voxel;
+    return {turned.x, (image & 1) != 0 ? last.y - turned.y : turned.y, (image & 2) != 0 ? last.z - turned.z : turned.z};
+}
+
+} // namespace
+
+template <class Field>
+std::vector<VoxelArrivals> symmetricBeamArrivals(const Field& field, const Lattice& lattice, const BeamBakeOptions& options,
+                                                 const std::vector<glm::ivec3>& voxels,
+                                                 const std::vector<glm::dvec3>& viewDirections, double g) {
+    DenseGrid<int> rows(lattice.size, -1);
+    for (std::size_t row = 0; row < voxels.size(); ++row) {
+        rows.at(voxels[row]) = int(row);
+    }
+    const VoxelArrivals none{0.0, glm::dvec3(0.0), std::vector<double>(viewDirections.size(), 0.0)};
+    std::array<std::vector<VoxelArrivals>, 2> parts;
+    parts.fill(std::vector<VoxelArrivals>(voxels.size(), none));
+    const double volume = lattice.voxel * lattice.voxel * lattice.voxel;
+    followWedge(field, lattice, options,
+                [&](std::size_t part, const glm::ivec3& voxel, const glm::dvec3& direction, const glm::dvec3& powerLength) {
+                    for (int image = 0; image < 8; ++image) {
+                        const int row = rows.at(mirrored(voxel, lattice.size, image));
+                        if (row >= 0) {
+                            parts[part][std::size_t(row)].add(mirrored(direction, image), powerLength.x / volume,
+                                                              viewDirections, g);
+                        }
+                    }
+                });
+    for (std::size_t row = 0; row < voxels.size(); ++row) {
+        parts[0][row] += parts[1][row];
+    }
+    return parts[0];
+}
+
+void VoxelArrivals::add(const glm::dvec3& direction, double arriving, const std::vector<glm::dvec3>& viewDirections, double g) {
+    irradiance += arriving;
+    flux += arriving * direction;
+    for (std::size_t i = 0; i < viewDirections.size(); ++i) {
+        phased[i] += arriving * f64::henyeyGreenstein(-glm::dot(viewDirections[i], direction), g);
+    }
+}
+
+VoxelArrivals& VoxelArrivals::operator+=(const VoxelArrivals& other) {
+    irradiance += other.irradiance;
+    flux += other.flux;
+    for (std::size_t i = 0; i < phased.size(); ++i) {
+        phased[i] += other.phased[i];
+    }
+    return *this;
+}
+
+template <class Field>
+DenseGrid<glm::dvec3> bakeSymmetricBeam(const Field& field, const Lattice& lattice, const BeamBakeOptions& options) {
+    std::array<DenseGrid<glm::dvec3>, 2> parts{DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0)),
+                                               DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0))};
+    followWedge(field, lattice, options,
+                [&](std::size_t part, const glm::ivec3& voxel, const glm::dvec3&, const glm::dvec3& powerLength) {
+                    parts[part].at(voxel) += powerLength;
+                });
     const double volume = lattice.voxel * lattice.voxel * lattice.voxel;
     for (std::size_t i = 0; i < parts[0].values.size(); ++i) {
         parts[0].values[i] = (parts[0].values[i] + parts[1].values[i]) / volume;
@@ -108,6 +177,9 @@ DenseGrid<glm::dvec3> bakeSymmetricBeam(const Field& field, const Lattice& latti
     return unfoldedEightfold(parts[0]);
 }
 
+template std::vector<VoxelArrivals> symmetricBeamArrivals(const GridField&, const Lattice&, const BeamBakeOptions&,
+                                                          const std::vector<glm::ivec3>&, const std::vector<glm::dvec3>&,
+                                                          double);
 template DenseGrid<glm::dvec3> bakeSymmetricBeam(const SmoothedSphere&, const Lattice&, const BeamBakeOptions&);
 template DenseGrid<glm::dvec3> bakeSymmetricBeam(const GridField&, const Lattice&, const BeamBakeOptions&);
 

@@ -27,6 +27,7 @@ private:
     void meetMatter(const glm::dvec3& x, const glm::dvec3& direction, double ds);
     glm::dvec3 firstSolid(glm::dvec3 free, glm::dvec3 inside) const;
     glm::dvec3 scattered(const glm::dvec3& x, const glm::dvec3& direction) const;
+    glm::dvec3 fluxOnto(const glm::dvec3& x, const glm::dvec3& normal) const;
     glm::dvec3 surfaceRadiance(const glm::dvec3& x, const glm::dvec3& direction) const;
 
     bool solid(const glm::dvec3& x) const { return field_.coverage(x) >= kSolid; }
@@ -74,13 +75,42 @@ void Walk::meetBoundary(const glm::dvec3& w, const Optics& optics, bool inBand) 
     crossing_ = f64::crossingAfter(crossing_, inBand, w, optics.n, optics.gradN);
 }
 
+/// Irradiance times phase function, summed over the lobes of a voxel.
+glm::dvec3 phasedVoxel(const BakedLight& light, const glm::ivec3& voxel, const glm::dvec3& direction, double g) {
+    const VoxelLobes* row = light.lobes.find(std::uint32_t(light.irradiance.offset(voxel.x, voxel.y, voxel.z)));
+    const VoxelLobes whole{LightLobe{light.irradiance.at(voxel), light.lightDirection.at(voxel)}};
+    glm::dvec3 sum(0.0);
+    for (const LightLobe& lobe : row ? *row : whole) {
+        sum += glm::dvec3(lobe.irradiance) * f64::phaseOfFlux(direction, glm::dvec3(lobe.direction), g);
+    }
+    return sum;
+}
+
+bool hasLobes(const BakedLight& light, const glm::dvec3& x) {
+    bool found = false;
+    forEachVoxelAbout(light.lattice, x, [&](const glm::ivec3& v, double weight) {
+        found = found || (weight > 0.0 && light.lobes.find(std::uint32_t(light.irradiance.offset(v.x, v.y, v.z))) != nullptr);
+    });
+    return found;
+}
+
+/// The same at a place: of interpolated moments, or interpolated where lobes are near.
+glm::dvec3 phasedLight(const BakedLight& light, const glm::dvec3& x, const glm::dvec3& direction, double g) {
+    if (light.lobes.empty() || !hasLobes(light, x))
+        return trilinear(light.irradiance, light.lattice, x) *
+               f64::phaseOfFlux(direction, trilinear(light.lightDirection, light.lattice, x), g);
+    glm::dvec3 sum(0.0);
+    forEachVoxelAbout(light.lattice, x, [&](const glm::ivec3& voxel, double weight) {
+        sum += weight * phasedVoxel(light, voxel, direction, g);
+    });
+    return sum;
+}
+
 /// Radiance per scene unit that the baked light sends into the ray.
 glm::dvec3 Walk::scattered(const glm::dvec3& x, const glm::dvec3& direction) const {
     if (!scene_.light)
         return glm::dvec3(0.0);
-    const glm::dvec3 irradiance = trilinear(scene_.light->irradiance, scene_.light->lattice, x);
-    const glm::dvec3 flux = trilinear(scene_.light->lightDirection, scene_.light->lattice, x);
-    return field_.sigmaS(x) * irradiance * f64::phaseOfFlux(direction, flux, field_.anisotropy(x));
+    return field_.sigmaS(x) * phasedLight(*scene_.light, x, direction, field_.anisotropy(x));
 }
 
 /// A piece of length ds through constants taken at x.
@@ -140,16 +170,34 @@ glm::dvec3 normalOf(const GridField& field, const glm::dvec3& x, const glm::dvec
     return magnitude > 1e-4 ? -gradient / magnitude : -direction;
 }
 
+/// Power per unit area of a surface: the bake's flux about x, each voxel weighing by its free share, against the normal.
+glm::dvec3 Walk::fluxOnto(const glm::dvec3& x, const glm::dvec3& normal) const {
+    const BakedLight& light = *scene_.light;
+    const glm::dvec3 position = (x - light.lattice.min) / light.lattice.voxel - 0.5;
+    const glm::dvec3 base = glm::floor(position);
+    glm::dvec3 irradiance(0.0), flux(0.0);
+    double volume = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 upper(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const glm::dvec3 share = glm::mix(1.0 - (position - base), position - base, upper);
+        const glm::ivec3 voxel = glm::clamp(glm::ivec3(base + upper), glm::ivec3(0), light.lattice.size - 1);
+        const double free = 1.0 - glm::clamp(field_.coverage(light.lattice.worldFromIndex(voxel)), 0.0, 1.0);
+        const double weight = share.x * share.y * share.z * free;
+        const glm::dvec3 held = weight * glm::dvec3(light.irradiance.at(voxel));
+        irradiance += held;
+        flux += (held.x + held.y + held.z) * glm::dvec3(light.lightDirection.at(voxel));
+        volume += weight;
+    }
+    const double total = irradiance.x + irradiance.y + irradiance.z;
+    return total > 0.0 ? irradiance / volume * (std::max(-glm::dot(flux, normal), 0.0) / total) : glm::dvec3(0.0);
+}
+
 /// A diffuse surface under the baked light a voxel off it and under the environment.
 glm::dvec3 Walk::surfaceRadiance(const glm::dvec3& x, const glm::dvec3& direction) const {
     const glm::dvec3 normal = normalOf(field_, x, direction);
     glm::dvec3 received = scene_.ambient(normal);
-    if (scene_.light) {
-        const glm::dvec3 above = x + normal * scene_.light->lattice.voxel;
-        const glm::dvec3 flux = trilinear(scene_.light->lightDirection, scene_.light->lattice, above);
-        received += trilinear(scene_.light->irradiance, scene_.light->lattice, above) *
-                    (std::max(-glm::dot(flux, normal), 0.0) / std::numbers::pi);
-    }
+    if (scene_.light)
+        received += fluxOnto(x + normal * scene_.light->lattice.voxel, normal) / std::numbers::pi;
     return field_.albedo(x - 0.5 * normal * field_.lattice().voxel) * received;
 }
 

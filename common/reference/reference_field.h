@@ -16,20 +16,25 @@ struct Optics {
     glm::dvec3 gradN{0.0};  ///< [1 / scene unit]
 };
 
-/// Value of a dense grid at a world position: trilinear, clamped at the faces, as texture units do it.
-template <class Value>
-auto trilinear(const DenseGrid<Value>& grid, const Lattice& lattice, const glm::dvec3& x) {
+/// Visits the eight voxels about a world position with their trilinear weights, clamped at the faces, as texture units do it.
+template <class Visit>
+void forEachVoxelAbout(const Lattice& lattice, const glm::dvec3& x, const Visit& visit) {
     const glm::dvec3 place = (x - lattice.min) / lattice.voxel - 0.5;
     const glm::dvec3 lower = glm::floor(place);
     const glm::dvec3 t = place - lower;
-    using Sum = std::conditional_t<std::is_same_v<Value, float>, double, glm::dvec3>;
-    Sum sum(0.0);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::ivec3 step(corner & 1, (corner >> 1) & 1, corner >> 2);
-        const glm::ivec3 index = glm::clamp(glm::ivec3(lower) + step, glm::ivec3(0), grid.size - 1);
         const glm::dvec3 w = glm::mix(1.0 - t, t, glm::dvec3(step));
-        sum += Sum(grid.at(index)) * (w.x * w.y * w.z);
+        visit(glm::clamp(glm::ivec3(lower) + step, glm::ivec3(0), lattice.size - 1), w.x * w.y * w.z);
     }
+}
+
+/// Value of a dense grid at a world position: trilinear.
+template <class Value>
+auto trilinear(const DenseGrid<Value>& grid, const Lattice& lattice, const glm::dvec3& x) {
+    using Sum = std::conditional_t<std::is_same_v<Value, float>, double, glm::dvec3>;
+    Sum sum(0.0);
+    forEachVoxelAbout(lattice, x, [&](const glm::ivec3& voxel, double weight) { sum += Sum(grid.at(voxel)) * weight; });
     return sum;
 }
 

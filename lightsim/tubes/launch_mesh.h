@@ -79,6 +79,18 @@ public:
     Samples liveSamples(std::uint32_t vertex) const;
     /// Corners, middles of sides and centre, row by row.
     void verticesOf(std::uint32_t node, std::uint32_t (&out)[9]) const;
+    /// Calls visit(quarter, vertex) for the four corners of each of a node's four sub-cells.
+    template <class Visit>
+    void forEachQuarterCorner(std::uint32_t node, const Visit& visit) const {
+        std::uint32_t own[9];
+        verticesOf(node, own);
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            const int low = quarter % 2 + 3 * (quarter / 2);
+            for (const int corner : {low, low + 1, low + 3, low + 4}) {
+                visit(quarter, own[corner]);
+            }
+        }
+    }
     /// Launch coordinates in [-1, 1]².
     static glm::vec2 launchOf(const MeshVertex& vertex, const LaunchFrame& frame);
     /// Steps at which a leaf is not resolved, for want of power.

@@ -13,14 +13,32 @@ namespace {
 constexpr std::uint32_t kFirstBatch = 16;   // cells; later ones follow what these needed
 constexpr std::uint32_t kMostCells = 4096;  // in a batch
 constexpr double kFilling = 0.35;           // of the capacity that a batch is meant to need
+constexpr double kFollowedShare = 0.05;     // of the tolerance, times the power launched: reflections with less are let go
+
+bool hasBoundaries(const MethodPlan& plan) {
+    return std::find(plan.defines.begin(), plan.defines.end(), "EFFECT_REFLECTION") != plan.defines.end();
+}
+
+std::vector<std::string> definesFor(const MethodPlan& plan, bool followsReflections) {
+    std::vector<std::string> defines = plan.defines;
+    if (followsReflections) {
+        defines.push_back("FOLLOW_REFLECTIONS");
+    }
+    return defines;
+}
 
 } // namespace
 
-TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, std::uint32_t capacity, const LaunchGrids& grids,
+TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const BakeOptions& options, const LaunchGrids& grids,
                    const BakeSettings& settings)
-    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(capacity),
-      layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)), kernels_(context, plan.defines, capacity),
+    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(options.tubeVertices),
+      layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)),
+      followsReflections_(plan.accuracy.reflections > 0 && hasBoundaries(plan)),
+      kernels_(context, definesFor(plan, followsReflections_), capacity_, followsReflections_),
       sums_(context, plan.fields.lattice, layers_, plan.bands) {
+    if (options.eikonal) {
+        eikonal_.emplace(context, definesFor(plan, followsReflections_), plan.fields.lattice, layers_);
+    }
     setLights(context, grids, settings);
 }
 
@@ -32,7 +50,7 @@ void TubeBake::setLights(const gpu::Context& context, const LaunchGrids& grids, 
 
 /// The method: propagate, refine, conform, deposit, until no light is left. False: the batch needs more rays than there is
 /// room for, and `window` is the first that is not deposited.
-bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& window) {
+bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, const Deposits& deposits, std::uint32_t& window) {
     const std::uint32_t maxWindows = settings_.maxSteps / TUBE_STEPS + 1;
     for (window = 0; window < maxWindows; ++window) {
         throwIfInterrupted();
@@ -43,7 +61,7 @@ bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& win
         }
         batch.conform();
         if (window >= cells.firstDeposit) {
-            counts_.steps += batch.deposit(sums_);
+            counts_.steps += batch.deposit(deposits);
         }
         if (batch.isFinished(settings_.cullShare)) {
             break;
@@ -53,43 +71,86 @@ bool TubeBake::bake(TubeBatch& batch, const CellRange& cells, std::uint32_t& win
     return true;
 }
 
+void TubeBake::countBatch(const TubeBatch& batch, std::size_t cells) {
+    counts_.peak = std::max<std::uint64_t>(counts_.peak, batch.nodeCount());
+    counts_.refusedSplits += batch.refusedHalvings();
+    counts_.splits += (batch.nodeCount() - cells) / 2;
+}
+
+/// The light of one path, batch after batch. A batch that needs more rays than there is room for is begun again in halves.
+ReflectedLight TubeBake::follow(const LightPath& path, const Deposits& deposits,
+                                const std::function<void(double)>& progress) {
+    kernels_.setMirrors(path.mirrors);
+    const std::uint32_t cellCount = std::uint32_t(path.cells.size());
+    ReflectedLight reflected;
+    std::vector<CellRange> waiting;
+    std::uint32_t nextCell = 0;
+    std::uint32_t batchCells = kFirstBatch;
+    while (nextCell < cellCount || !waiting.empty()) {
+        if (waiting.empty()) {
+            waiting.push_back({nextCell, std::min(batchCells, cellCount - nextCell), 0});
+            nextCell += waiting.back().count;
+        }
+        const CellRange range = waiting.back();
+        waiting.pop_back();
+        const auto cells = std::span(path.cells).subspan(range.first, range.count);
+        TubeBatch batch(kernels_, *grids_, cells, capacity_);
+        std::uint32_t window = 0;
+        if (bake(batch, range, deposits, window)) {
+            countBatch(batch, cells.size());
+            if (followsReflections_) {
+                reflected.add(cells, batch.reflected());
+            }
+            batchCells = std::clamp(std::uint32_t(kFilling * capacity_ / batch.vertexCount() * range.count), 1u, kMostCells);
+        } else {
+            const std::uint32_t half = range.count / 2;
+            const std::uint32_t firstDeposit = std::max(window, range.firstDeposit);
+            waiting.push_back({range.first + half, range.count - half, firstDeposit});
+            waiting.push_back({range.first, half, firstDeposit});
+        }
+        if (progress) {
+            progress(double(nextCell) / double(cellCount));
+        }
+    }
+    return reflected;
+}
+
 void TubeBake::propagate(int begin, int end, const std::function<void(double)>& progress) {
+    sums_.clear();
+    if (eikonal_) {
+        eikonal_->clear();
+    }
+    run(begin, end, {sums_, eikonal_ ? &*eikonal_ : nullptr}, progress);
+}
+
+void TubeBake::propagateInto(const LobeBins& bins, const std::function<void(double)>& progress) {
+    run(bins.tile().slabBegin, bins.tile().slabEnd, {bins}, progress);
+}
+
+void TubeBake::run(int begin, int end, const Deposits& deposits, const std::function<void(double)>& progress) {
     settings_.slabBegin = begin;
     settings_.slabEnd = end;
     counts_ = {};
     kernels_.restart(settings_);
-    sums_.clear();
-    std::vector<CellRange> waiting;
-    std::uint32_t nextCell = 0;
-    std::uint32_t batchCells = kFirstBatch;
-    while (nextCell < grids_->cellCount || !waiting.empty()) {
-        if (waiting.empty()) {
-            waiting.push_back({nextCell, std::min(batchCells, grids_->cellCount - nextCell), 0});
-            nextCell += waiting.back().cellCount;
-        }
-        const CellRange cells = waiting.back();
-        waiting.pop_back();
-        TubeBatch batch(kernels_, *grids_, cells, capacity_);
-        std::uint32_t window = 0;
-        if (bake(batch, cells, window)) {
-            counts_.peak = std::max<std::uint64_t>(counts_.peak, batch.nodeCount());
-            counts_.refusedSplits += batch.refusedHalvings();
-            counts_.splits += (batch.nodeCount() - cells.cellCount) / 2;
-            batchCells = std::clamp(std::uint32_t(kFilling * capacity_ / batch.vertexCount() * cells.cellCount), 1u, kMostCells);
-        } else {
-            const std::uint32_t half = cells.cellCount / 2;
-            const std::uint32_t firstDeposit = std::max(window, cells.firstDeposit);
-            waiting.push_back({cells.firstCell + half, cells.cellCount - half, firstDeposit});
-            waiting.push_back({cells.firstCell, half, firstDeposit});
-        }
-        if (progress) {
-            progress(double(nextCell) / double(grids_->cellCount));
+    const double leastPower = kFollowedShare * accuracy_.tolerance * grids_->strongestPower;
+    std::vector<LightPath> paths{pathFromSource(*grids_)};
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const LightPath path = std::move(paths[i]);
+        const ReflectedLight reflected = follow(path, deposits, progress);
+        if (path.mirrors.size() < std::size_t(accuracy_.reflections)) {
+            const std::vector<LightPath> more = reflected.pathsBehind(path.mirrors, leastPower);
+            paths.insert(paths.end(), more.begin(), more.end());
         }
     }
     counts_.fieldEvaluations = kernels_.fieldEvaluations();
     counts_.folds = kernels_.foldedCells();
 }
 
-void TubeBake::read(const DenseGrid<float>& opaque, BakedLight& light) const { sums_.read(settings_, opaque, light); }
+void TubeBake::read(const DenseGrid<float>& opaque, BakedLight& light) const {
+    sums_.read(settings_, opaque, light);
+    if (eikonal_) {
+        eikonal_->read(settings_, light.eikonal);
+    }
+}
 
 } // namespace eikonal::bake

@@ -21,9 +21,11 @@ std::uint32_t frameOfCell(const LaunchGrids& grids, std::uint32_t cell) {
 
 } // namespace
 
-TubeBatch::TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, const CellRange& cells, std::uint32_t capacity)
-    : kernels_(kernels), grids_(grids), capacity_(capacity), rootCount_(cells.cellCount), isDone_(cells.cellCount, 0) {
-    for (std::uint32_t cell = cells.firstCell; cell < cells.firstCell + cells.cellCount; ++cell) {
+TubeBatch::TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, std::span<const std::uint32_t> cells,
+                     std::uint32_t capacity)
+    : kernels_(kernels), grids_(grids), capacity_(capacity), rootCount_(std::uint32_t(cells.size())),
+      isDone_(cells.size(), 0) {
+    for (const std::uint32_t cell : cells) {
         const std::uint32_t frame = frameOfCell(grids, cell);
         mesh_.addCell(frame, grids.frames[frame], cell - grids.frames[frame].firstCell);
     }
@@ -262,13 +264,13 @@ void TubeBatch::listJobs(std::uint32_t index, Samples steps, std::vector<TubeJob
     }
 }
 
-std::uint64_t TubeBatch::deposit(const LightSums& sums) {
+std::uint64_t TubeBatch::deposit(const Deposits& deposits) {
     findBends();
     std::vector<TubeJob> jobs;
     for (std::uint32_t root = 0; root < rootCount_; ++root) {
         listJobs(root, kAllSteps, jobs);
     }
-    kernels_.deposit(jobs, sums);
+    kernels_.deposit(jobs, deposits);
     return jobs.size();
 }
 
@@ -288,15 +290,10 @@ std::vector<glm::dvec4> TubeBatch::vertexPowers() const {
         if (!node.isLeaf()) {
             continue;
         }
-        std::uint32_t vertices[9];
-        mesh_.verticesOf(index, vertices);
-        const glm::dvec4 strength(grids_.frames[mesh_.vertices[vertices[0]].frame].strength, 0.0);
-        for (int quarter = 0; quarter < 4; ++quarter) {
-            const int low = quarter % 2 + 3 * (quarter / 2);
-            for (const int corner : {low, low + 1, low + 3, low + 4}) {
-                powers[vertices[corner]] += strength * (0.25 * node.launchShare[quarter]);
-            }
-        }
+        const glm::dvec4 strength(grids_.frames[mesh_.vertices[node.corners[0]].frame].strength, 0.0);
+        mesh_.forEachQuarterCorner(index, [&](int quarter, std::uint32_t vertex) {
+            powers[vertex] += strength * (0.25 * node.launchShare[quarter]);
+        });
     }
     for (const std::uint32_t i : byDepth) {
         if (!mesh_.vertices[i].isRay) {
@@ -324,14 +321,9 @@ bool TubeBatch::isFinished(double share) {
     for (std::uint32_t index = 0; index < mesh_.nodes.size(); ++index) {
         const MeshNode& node = mesh_.nodes[index];
         if (node.isLeaf()) {
-            std::uint32_t vertices[9];
-            mesh_.verticesOf(index, vertices);
-            for (int quarter = 0; quarter < 4; ++quarter) {
-                const int low = quarter % 2 + 3 * (quarter / 2);
-                for (const int corner : {low, low + 1, low + 3, low + 4}) {
-                    powers[node.root] += node.launchShare[quarter] * glm::dvec2(remaining[vertices[corner]], 1.0);
-                }
-            }
+            mesh_.forEachQuarterCorner(index, [&](int quarter, std::uint32_t vertex) {
+                powers[node.root] += node.launchShare[quarter] * glm::dvec2(remaining[vertex], 1.0);
+            });
         }
     }
     bool finished = true;
@@ -346,6 +338,10 @@ void TubeBatch::tally() {
     const std::vector<glm::dvec4> powers = vertexPowers();
     const std::vector<glm::vec4> rounded(powers.begin(), powers.end());
     kernels_.tally(rounded);
+}
+
+std::vector<PowerByCrossing> TubeBatch::reflected() const {
+    return reflectedByRoot(mesh_, grids_, kernels_.reflections(placedVertices_), rootCount_);
 }
 
 } // namespace eikonal::bake

@@ -10,26 +10,22 @@
 
 namespace eikonal::bake {
 
-/// Cells [firstCell, firstCell + cellCount) of all launch grids; deposits of windows before `firstDeposit` are in the sums.
-struct CellRange {
-    std::uint32_t firstCell;
-    std::uint32_t cellCount;
-    std::uint32_t firstDeposit = 0;
-};
-
 class TubeBatch {
 public:
-    TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, const CellRange& cells, std::uint32_t capacity);
+    /// `cells`: numbers among those of all launch grids.
+    TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, std::span<const std::uint32_t> cells, std::uint32_t capacity);
 
     void begin(std::uint32_t window);  ///< of optical path
     void propagate();                  ///< all rays through the window
     /// Until the window is resolved. False: a batch of several cells needs more rays than there is room for.
     bool refine();
     void conform();                    ///< closes gaps between nodes of different size
-    std::uint64_t deposit(const LightSums& sums);  ///< returns the number of patch-steps
+    std::uint64_t deposit(const Deposits& deposits);  ///< returns the number of patch-steps
     /// Ends the cells that have less than this share of their power left in the domain. True: all have ended.
     bool isFinished(double share);
     void tally();
+    /// What the cells have lost by reflection; only where reflections are followed.
+    std::vector<PowerByCrossing> reflected() const;
 
     std::uint32_t vertexCount() const { return std::uint32_t(mesh_.vertices.size()); }
     std::uint32_t refusedHalvings() const { return mesh_.refusedHalvings(); }

@@ -18,14 +18,16 @@ std::size_t itemBytes(std::size_t capacity) {
 
 } // namespace
 
-TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity)
-    : vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
+TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity,
+                         bool followsReflections)
+    : context_(context), defines_(defines), vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
       positions_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube positions"),
       shares_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube shares"),
       frames_(context, sizeof(LaunchFrame), "launch frames"),
       nodes_(context, capacity * sizeof(TubeNode), "tube nodes"), items_(context, itemBytes(capacity), "tube items"),
       presences_(context, kPresenceHeader + capacity * sizeof(TubePresence), "tube presences"),
       measures_(context, capacity * sizeof(TubeMeasure), "tube measures"),
+      reflections_(context, followsReflections ? capacity * sizeof(TubeReflections) : 0, "tube reflections"),
       cells_(context, TUBE_MAX_JOBS * kCellsPerJob * sizeof(TubeCell), "tube cells"),
       parts_(context, sizeof(TubePartsHeader) + TUBE_LISTS * TUBE_LIST_PARTS * sizeof(std::uint32_t), "tube parts"),
       ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
@@ -36,15 +38,32 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines),
       conform_(context, "lightsim/tubes/conform.comp.glsl", defines),
       sort_(context, "lightsim/tubes/sort_cells.comp.glsl", defines),
-      gather_(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
-      points_(context, "lightsim/tubes/deposit_points.comp.glsl", defines),
-      rays_(context, "lightsim/tubes/deposit_rays.comp.glsl", defines),
-      tally_(context, "lightsim/tubes/tally.comp.glsl", defines) {}
+      tally_(context, "lightsim/tubes/tally.comp.glsl", defines), intoSums_(context, defines) {}
+
+TubeKernels::DepositKernels::DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines)
+    : gather(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
+      points(context, "lightsim/tubes/deposit_points.comp.glsl", defines),
+      rays(context, "lightsim/tubes/deposit_rays.comp.glsl", defines) {}
+
+const TubeKernels::DepositKernels& TubeKernels::depositKernels(const VoxelSums& sums) {
+    if (!sums.areLobes()) {
+        return intoSums_;
+    }
+    if (!intoLobes_) {
+        intoLobes_.emplace(context_, withLobes(defines_));
+    }
+    return *intoLobes_;
+}
 
 void TubeKernels::setLights(const gpu::Context& context, const LaunchGrids& grids, const TubeSettings& tubeSettings) {
     frames_ = gpu::Buffer(context, grids.frames.size() * sizeof(LaunchFrame), "launch frames");
     frames_.upload(std::span<const LaunchFrame>(grids.frames));
     tubeSettings_ = tubeSettings;
+}
+
+void TubeKernels::setMirrors(const Mirrors& mirrors) {
+    tubeSettings_.mirrorCount = std::uint32_t(mirrors.size());
+    tubeSettings_.mirrors = packed(mirrors);
 }
 
 void TubeKernels::restart(const BakeSettings& settings) {
@@ -85,6 +104,7 @@ void TubeKernels::trace(std::span<const std::uint32_t> vertices) {
     bindTracks();
     items_.upload(vertices);
     presences_.bindStorage(TUBE_RESULTS_BINDING);
+    reflections_.bindStorage(TUBE_REFLECTIONS_BINDING);
     run(trace_, vertices.size());
 }
 
@@ -116,13 +136,13 @@ std::vector<TubePresence> TubeKernels::presences(std::uint32_t count) const {
     return result;
 }
 
-void TubeKernels::deposit(std::span<const TubeJob> jobs, const LightSums& sums) {
+void TubeKernels::deposit(std::span<const TubeJob> jobs, const Deposits& deposits) {
     for (std::size_t begin = 0; begin < jobs.size(); begin += TUBE_MAX_JOBS) {
-        depositChunk(jobs.subspan(begin, std::min<std::size_t>(TUBE_MAX_JOBS, jobs.size() - begin)), sums);
+        depositChunk(jobs.subspan(begin, std::min<std::size_t>(TUBE_MAX_JOBS, jobs.size() - begin)), deposits);
     }
 }
 
-void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& sums) {
+void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits) {
     bindTracks();
     items_.upload(jobs);
     std::array<TubePartList, TUBE_LISTS> lists{};
@@ -131,12 +151,16 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const LightSums& s
     cells_.bindStorage(TUBE_SORT_RECORDS_BINDING);
     parts_.bindStorage(TUBE_SORT_PARTS_BINDING);
     run(sort_, jobs.size(), kCellsPerJob);
-    sums.bind();
+    deposits.light.bind();
     cells_.bindStorage(TUBE_RECORDS_BINDING);
     parts_.bindStorage(TUBE_PARTS_BINDING);
-    const gpu::Kernel* kernels[TUBE_LISTS] = {&gather_, &points_, &rays_};
+    const DepositKernels& into = depositKernels(deposits.light);
+    const gpu::Kernel* kernels[TUBE_LISTS] = {&into.gather, &into.points, &into.rays};
     for (std::size_t list = 0; list < TUBE_LISTS; ++list) {
         kernels[list]->dispatchIndirect(parts_, list * sizeof(TubePartList) + offsetof(TubePartList, groups));
+    }
+    if (deposits.eikonal != nullptr) {
+        deposits.eikonal->add(parts_);
     }
 }
 
@@ -159,7 +183,7 @@ std::uint64_t TubeKernels::fieldEvaluations() const {
 std::size_t TubeKernels::bytes() const {
     std::size_t sum = 0;
     for (const gpu::Buffer* buffer : {&vertices_, &positions_, &shares_, &frames_, &nodes_, &items_, &presences_, &measures_,
-                                      &cells_, &parts_, &ledger_, &settingsBlock_, &tubeBlock_}) {
+                                      &reflections_, &cells_, &parts_, &ledger_, &settingsBlock_, &tubeBlock_}) {
         sum += buffer->bytes();
     }
     return sum;

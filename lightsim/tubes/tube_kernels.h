@@ -3,25 +3,38 @@
 // made to conform, deposited.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "common/gpu/objects.h"
 #include "lightsim/emit.h"
-#include "lightsim/light_sums.h"
+#include "lightsim/tubes/eikonal_deposit.h"
+#include "lightsim/tubes/mirrors.h"
+#include "lightsim/voxel_sums.h"
 #include "shaders/shared/tube_blocks.h"
 
 namespace eikonal::bake {
 
+/// Where deposits go: light into sums or bins of its directions; the eikonal too, unless that is null.
+struct Deposits {
+    const VoxelSums& light;
+    const EikonalDeposit* eikonal = nullptr;
+};
+
 class TubeKernels {
 public:
-    /// Room for `capacity` vertices.
-    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity);
+    /// Room for `capacity` vertices. Where reflections are followed, the kernels are other variants. Keeps a reference to the
+    /// context.
+    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity,
+                bool followsReflections);
 
     void setLights(const gpu::Context& context, const LaunchGrids& grids, const TubeSettings& tubeSettings);
     /// Counters and the ledger begin anew.
     void restart(const BakeSettings& settings);
+    /// The path that is followed from now on.
+    void setMirrors(const Mirrors& mirrors);
     void beginWindow(std::uint32_t firstStep) { tubeSettings_.firstStep = firstStep; }
 
     /// Uploads vertices, not launched yet, from number `first` on.
@@ -33,8 +46,10 @@ public:
     void conform(std::span<const TubeConformity> conformities);
     /// Of all vertices, as their last trace left it.
     std::vector<TubePresence> presences(std::uint32_t count) const;
+    /// Of all vertices; only where reflections are followed.
+    std::vector<TubeReflections> reflections(std::uint32_t count) const { return reflections_.download<TubeReflections>(count); }
     /// Deposits nodes over steps.
-    void deposit(std::span<const TubeJob> jobs, const LightSums& sums);
+    void deposit(std::span<const TubeJob> jobs, const Deposits& deposits);
     /// Enters the rays' stories in the ledger; power by vertex and band.
     void tally(std::span<const glm::vec4> powers);
 
@@ -46,14 +61,26 @@ public:
     std::size_t bytes() const;
 
 private:
+    /// One for each list of parts, in the order of the lists.
+    struct DepositKernels {
+        gpu::Kernel gather, points, rays;
+
+        DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines);
+    };
+
     void bindTracks() const;
     void run(const gpu::Kernel& kernel, std::size_t items, std::size_t invocationsPerItem = 1);
-    void depositChunk(std::span<const TubeJob> jobs, const LightSums& sums);
+    void depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits);
+    const DepositKernels& depositKernels(const VoxelSums& sums);
 
+    const gpu::Context& context_;
+    std::vector<std::string> defines_;
     TubeSettings tubeSettings_{};
-    gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, cells_, parts_, ledger_,
-        settingsBlock_, tubeBlock_;
-    gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sort_, gather_, points_, rays_, tally_;
+    gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, reflections_, cells_, parts_,
+        ledger_, settingsBlock_, tubeBlock_;
+    gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sort_, tally_;
+    DepositKernels intoSums_;
+    std::optional<DepositKernels> intoLobes_;  ///< compiled where they are first needed
 };
 
 } // namespace eikonal::bake

@@ -71,6 +71,23 @@ Particle enterDomain(Particle particle, vec3 entry) {
     return inside;
 }
 
+#ifdef FOLLOW_REFLECTIONS
+// The particle leaves its last mirror, the middle of a boundary: the component along the boundary is that of the reflected
+// ray far from it, the one across is what the index leaves.
+Particle leaveMirror(Particle particle) {
+    Particle inside = particle;
+    float n = sampleOptics(particle.x).n;
+    vec3 farWave = particle.w / dot(particle.w, particle.w);
+    vec3 tangential = farWave - particle.normal * dot(farWave, particle.normal);
+    float normalPart = sqrt(max(n * n - dot(tangential, tangential), 0.0));
+    inside.w = tangential - particle.normal * (particle.sideAtStart * normalPart);
+    inside.sideAtStart = 0.0;  // the rest of this boundary is no crossing (physics/boundary.glsl)
+    inside.status = PARTICLE_INSIDE;
+    inside.nLast = n;
+    return inside;
+}
+#endif
+
 // Medium along a straight piece inside the domain, from its midpoint: exact for constant extinction.
 Particle attenuate(Particle particle, vec3 midpoint, float arcLength) {
     Particle after = particle;
@@ -192,6 +209,18 @@ Particle advance(Particle particle, float t) {
         after.arcLength = straight;
         dt -= straight;
     }
+#ifdef FOLLOW_REFLECTIONS
+    if (particle.status == PARTICLE_MIRRORED) {
+        float straight = clamp(particle.enterPath - t, 0.0, dt);
+        after.x = particle.x + particle.w * straight;
+        after.arcLength = straight * length(particle.w);
+        if (particle.enterPath >= t + dt) {
+            return after;
+        }
+        after = leaveMirror(after);
+        dt -= straight;
+    }
+#endif
     if (after.status == PARTICLE_INSIDE) {
         return advanceInside(after, dt);
     }

@@ -1,7 +1,20 @@
 // The sums that light is deposited into: power x path length in voxels by band, and the same times the direction of travel.
+// With LIGHT_LOBES: the same by bins of direction, in listed voxels.
 #include "lightsim/settings.glsl"
 #include "lightsim/fixed_point.glsl"
 #include "shared/domain_block.h"
+
+bool isInSlab(ivec3 voxel) {
+    return voxel.z >= settings.slabBegin && voxel.z < settings.slabEnd;
+}
+
+uint slabIndex(ivec3 voxel) {
+    return (uint(voxel.z - settings.slabBegin) * uint(domainSize.y) + uint(voxel.y)) * uint(domainSize.x) + uint(voxel.x);
+}
+
+#ifdef LIGHT_LOBES
+#include "lightsim/lobe_bins.glsl"
+#else
 
 layout(std430, binding = BAKE_FLUX_BINDING) buffer FluxX { uvec2 fluxX[]; };
 layout(std430, binding = BAKE_FLUX_BINDING + 1) buffer FluxY { uvec2 fluxY[]; };
@@ -12,13 +25,17 @@ layout(std430, binding = BAKE_IRRADIANCE_BINDING + 1) buffer Irradiance1 { uvec2
 layout(std430, binding = BAKE_IRRADIANCE_BINDING + 2) buffer Irradiance2 { uvec2 irradiance2[]; };
 #endif
 
+// Whether what is added at a voxel of the domain goes anywhere.
+bool takesLight(ivec3 voxel) {
+    return isInSlab(voxel);
+}
+
 // Adds a part of what a voxel gets: fixed-point units of power x length, and of flux x length.
 void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
-    if (voxel.z < settings.slabBegin || voxel.z >= settings.slabEnd) {
+    if (!takesLight(voxel)) {
         return;
     }
-    uint index = (uint(voxel.z - settings.slabBegin) * uint(domainSize.y) + uint(voxel.y)) * uint(domainSize.x) +
-                 uint(voxel.x);
+    uint index = slabIndex(voxel);
     ADD_FIXED(fluxX, index, wideFixedPoint(flux.x))
     ADD_FIXED(fluxY, index, wideFixedPoint(flux.y))
     ADD_FIXED(fluxZ, index, wideFixedPoint(flux.z))
@@ -28,6 +45,7 @@ void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
     ADD_FIXED(irradiance2, index, wideFixedPoint(powerLength.z))
 #endif
 }
+#endif
 
 // The sum over bands, along a direction.
 vec3 fluxOf(vec3 powerLength, vec3 travel) {

@@ -19,3 +19,12 @@ real phaseOfFlux(real3 viewDirection, real3 lightDirection, real g) {
     }
     return henyeyGreenstein(-dot(viewDirection, lightDirection) / directed, g * min(directed, 1.0));
 }
+
+// Largest error of phaseOfFlux, which is in the forward direction, over the phase function's largest value, per 1 - |F|/E and
+// to first order in it. A spread of directions takes l(l + 1)/2 times 1 - |F|/E from the l-th term of the series
+// p = sum (2l + 1) g^l P_l / 4 pi, g |F|/E in place of g takes l times; the sum of the differences is closed.
+real phaseErrorPerSpread(real g) {
+    real a = abs(g);
+    real rest = max(1.0 - a, 1.0e-6);
+    return a * a * (5.0 + a) / (rest * rest * (1.0 + a));
+}

@@ -32,3 +32,10 @@ Ray kickByOpticalPath(Ray ray, real n, real3 gradN, real dt) {
     turned.w = ray.w + gradN * (dt / n);
     return turned;
 }
+
+// One step of an integrator (physics/step_*.glsl), which evaluates the field where it needs it: whoever includes one says
+// what `Optics sampleOptics(real3 x)` is.
+struct RayStep {
+    Ray ray;             // at its end
+    real opticalLength;  // integral of n over it [scene units]
+};

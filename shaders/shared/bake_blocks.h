@@ -22,6 +22,10 @@ using glm::vec3;
 #define BAKE_LEDGER_BINDING 4   // retire
 #define BAKE_FLUX_BINDING 2        // deposit: flux along x, y, z at 2, 3, 4
 #define BAKE_IRRADIANCE_BINDING 5  // deposit: bands at 5, 6, 7
+#define BAKE_LOBE_ROWS_BINDING 2       // deposit with LIGHT_LOBES, in place of the sums
+#define BAKE_LOBE_SCALES_BINDING 3     // likewise
+#define BAKE_LOBE_POWERS_BINDING 4     // likewise
+#define BAKE_LOBE_FLUXES_BINDING 5     // likewise
 #define BAKE_PEAK_SUM_BINDING 2        // deposit_peak; its bands at BAKE_IRRADIANCE_BINDING
 #define BAKE_PEAK_DIRECTION_BINDING 3  // deposit_peak
 #define BAKE_SETTINGS_BINDING 1    // uniform block
@@ -29,10 +33,11 @@ using glm::vec3;
 
 // What a corner particle is doing.
 #define PARTICLE_WAITING 0u  // on its straight way to the domain
-#define PARTICLE_INSIDE 1u
-#define PARTICLE_EXITED 2u   // left the domain
-#define PARTICLE_BLOCKED 3u  // hit opaque matter
-#define PARTICLE_MISSED 4u   // never meets the domain
+#define PARTICLE_MIRRORED 1u  // on the straight way that its image in a mirror has come, w: velocity per optical path
+#define PARTICLE_INSIDE 2u
+#define PARTICLE_EXITED 3u   // left the domain
+#define PARTICLE_BLOCKED 4u  // hit opaque matter
+#define PARTICLE_MISSED 5u   // never meets the domain, or not the mirrors that it is followed from
 
 // Angular profiles of launch frames (physics/profile.glsl).
 #define PROFILE_NONE 0u
@@ -47,10 +52,15 @@ using glm::vec3;
 #define LEDGER_EXITED 4
 #define LEDGER_REFLECTED 5
 #define LEDGER_CULLED 6
-#define LEDGER_ROWS 7
+#define LEDGER_FOLLOWED 7  // of what was reflected, power that rays of its own follow
+#define LEDGER_ROWS 8
 
 // A direction in one word: three components of ten bits, -1 to 1 in twice this many steps. 0: none.
 #define PEAK_DIRECTION_STEPS 511
+
+// Bins of direction that a voxel's light is sorted into: an octahedral map of the sphere of so many squares each way.
+#define LOBE_BINS_ACROSS 8
+#define LOBE_BINS (LOBE_BINS_ACROSS * LOBE_BINS_ACROSS)
 
 // Passes of deposit_peak.
 #define PEAK_RAISE 0u   // irradiances are raised to the largest
@@ -74,15 +84,15 @@ struct LaunchFrame {
     uint profile;      // PROFILE_...
     float coneInner;   // versine of the angle to the axis up to which the profile of a cone is 1
     float coneOuter;   // versine of the angle from which it is 0
+    float pathBefore;  // optical path from the light to where t = 0 [scene units]
     float unusedA;
-    float unusedB;
 };
 
 // A corner of a patch: an exact ray from its launch coordinate. Shares are fractions of the frame's strength: of the power
 // that would be launched along it if its profile were 1.
 struct Particle {
     vec3 x;
-    float enterPath;      // optical path at which it enters the domain
+    float enterPath;      // optical path at which it enters the domain, or leaves its last mirror
     vec3 w;               // wave vector
     uint status;
     vec3 xPrevious;       // before the last step

@@ -12,9 +12,17 @@ const int kUnitSigmaS = 3;          // scattering in rgb [1 / scene unit], Henye
 const int kUnitEmission = 4;        // radiance per scene unit in rgb
 const int kUnitOpaque = 5;          // albedo in rgb, coverage in alpha
 const int kUnitIrradiance = 6;      // scalar irradiance in rgb (viewer)
-const int kUnitLightDirection = 7;  // flux vector over scalar irradiance in rgb (viewer)
+const int kUnitLightDirection = 7;  // flux vector over scalar irradiance in rgb, 1 + row of lobes or 0 in alpha (viewer)
 const int kUnitEnvironment = 8;     // latitude-longitude radiance in rgb (viewer)
-const int kUnitDispersion = 9;      // grad B in rgb [micrometres^2 / scene unit], Cauchy's B in alpha [micrometres^2]
+const int kUnitLobes = 9;           // lobes of voxels that have several, a row of texels each (viewer)
+const int kUnitClearance = 10;      // bricks to the next that bends rays in red, with uneven matter in green (viewer)
+const int kUnitDispersion = 11;     // grad B in rgb [micrometres^2 / scene unit], Cauchy's B in alpha [micrometres^2]
+
+// Table of lobes: a row is a voxel's three, the strongest first, each irradiance and flux vector over it; so many rows lie
+// side by side.
+const int kLobesPerRow = 3;
+const int kTexelsPerLobe = 2;
+const int kLobeRowsAcross = 512;
 
 const int kUniformDomain = 0;  // DomainBlock; stages use 1 and beyond
 

@@ -23,8 +23,10 @@ using glm::vec4;
 #define TUBE_ITEMS_BINDING 4     // what a kernel works on, one an invocation
 #define TUBE_RESULTS_BINDING 5   // what it answers
 #define TUBE_NODES_BINDING 6
+#define TUBE_REFLECTIONS_BINDING 7   // trace, where reflections are followed
 #define TUBE_RECORDS_BINDING 0   // deposit: cells, and the list of their parts; the sums lie at 2 to 7
 #define TUBE_PARTS_BINDING 1
+#define TUBE_EIKONAL_BINDING 2   // deposit of the eikonal, in place of the sums
 #define TUBE_SORT_RECORDS_BINDING 5  // sort_cells: the same two, beside the tracks
 #define TUBE_SORT_PARTS_BINDING 7
 #define TUBE_SETTINGS_BINDING 2  // uniform block
@@ -48,6 +50,18 @@ struct TubePresence {
     uint unusedA;
     uint unusedB;
 };
+
+// What a ray has lost by reflection at boundaries since its launch, or since its last mirror, crossing by crossing.
+#define TUBE_CROSSINGS 15
+struct TubeReflections {
+    float shares[TUBE_CROSSINGS];  // of the launched power, strongest band
+    uint crossings;
+};
+
+// The mirrors of a path in one word: of each, first to last from the lowest bits, which crossing after the one before it is
+// a reflection, less one.
+#define TUBE_MIRROR_BITS 4u
+#define TUBE_MAX_MIRRORS 8
 
 // An edge of the mesh with the ray in its middle.
 struct TubeEdge {
@@ -98,7 +112,8 @@ struct TubeJob {
 // A sub-cell over some steps: what the wavefront patch sweeps. Corners 0 to 3 before, 4 to 7 after them, in the order
 // (u0, v0), (u1, v0), (u0, v1), (u1, v1).
 struct TubeCell {
-    vec4 corners[8];  // position from the domain's lower corner [voxels]; w of the later four: arc length between [voxels]
+    vec4 corners[8];  // position from the domain's lower corner [voxels]; w of the later four: arc length between [voxels];
+                      // of the first two: optical path from the light before and after the steps [scene units]
     vec4 shares[8];   // share of the launched power that is left at the corners, by band
     vec4 volumes[2];  // at the corners: root of the volume per u, v and t over the relative power there [voxels^(3/2)]
     vec3 power;       // launched into the sub-cell, by band
@@ -145,12 +160,14 @@ struct TubeSettings {
     float nearMargin;      // how far from the domain counts as near [scene units]
     float maxUnevenSpread; // of a middle from its neighbours' mean along the line between them, over their distance
     float evenSide;        // shorter edges may be uneven [scene units]
-    float unusedA;
-    float unusedB;
+    uint mirrorCount;      // of the path that is followed
+    uint mirrors;          // TUBE_MIRROR_BITS each
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(TubeVertex) == 176 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
+static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRROR_BITS);
+static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
 static_assert(sizeof(TubeCell) == 304 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 64 && sizeof(TubeSettings) == 48);

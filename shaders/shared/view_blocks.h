@@ -23,7 +23,9 @@ const int kStorageRays = 0;      // RayState, one a ray
 const int kStorageGiven = 1;     // GivenRay, one a ray
 const int kStorageFilm = 2;      // FilmPixel, one a pixel
 const int kStorageDisplay = 3;   // vec4, one a pixel
-const int kStorageCounters = 4;  // rays that entered and field evaluations, each low word, high word
+const int kStorageCounters = 4;  // rays that entered and field evaluations, look-ups of clearance
+                                 // and samples of matter, each low word, high word
+const int kStorageMarchGroups = 5;  // three words: groups of the march's next slice
 
 const int kRaysPerGroup = 64;
 
@@ -50,7 +52,7 @@ struct RayState {
     uint status;
     vec3 radiance;
     float throughputS;    // Fresnel transmittances so far, by polarisation
-    vec3 crossingNormal;  // the boundary under way (physics/boundary.glsl)
+    vec3 crossingNormal;  // the boundary under way (physics/boundary.glsl); shaded: of the surface at the ray's end, or 0
     float throughputP;
     float crossingGradMax;
     float crossingStart;
@@ -59,7 +61,11 @@ struct RayState {
     float n;              // index at the last evaluation
     float nCamera;        // index where the ray starts
     float entryDistance;  // from the start to the domain [scene units]
+    uint lookUps;         // of the clearance ahead
+    float lookAgainAt;    // path length at which the next look-up may find something [scene units]
+    uint matterSamples;   // of absorption, scattering and emission
     uint dispersed;       // 1: it has been where the index depends on the wavelength
+    float pad;
 };
 
 struct GivenRay {
@@ -70,14 +76,16 @@ struct GivenRay {
 };
 
 struct FilmPixel {
-    vec3 radiance;       // sum over samples
-    float steps;         // of the ray through the pixel's centre, like all that follows
+    vec3 radiance;       // mean over the samples so far
+    float steps;         // of the ray through the pixel's centre, like all that follows: evaluations but one, look-ups
     vec3 exitDirection;
     float entryDistance;
     vec3 depth;
     float opticalLength;
     vec3 throughput;     // of the background behind
     float pad;
+    vec3 normal;         // of the opaque surface at the ray's end, or 0
+    float normalPad;
 };
 
 #ifdef __cplusplus
@@ -98,7 +106,7 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
     vec3 zenith;
     uint stepsPerSlice;
     vec3 lightMin;            // lower corner of the baked light's box [scene units]
-    uint maxEvaluations;
+    uint maxEvaluations;      // of the index field, look-ups of clearance included
     vec3 lightScale;          // texture coordinate per scene unit
     float opaqueOffset;       // distance off a surface at which light is looked up [scene units]
     ivec2 imageSize;          // [pixels]
@@ -107,20 +115,24 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
     vec2 subPixel;            // sample position within each pixel, 0 to 1
     float exposureScale;
     uint sampleIndex;
-    float sampleWeight;       // 1 / samples
-    uint dispersedAtStart;    // RayState::dispersed of new rays
+    float sampleWeight;       // of this sample in the mean of those so far
+    uint filmStart;           // pixels of the film before the tile's
     vec4 ambient[6];          // cosine-weighted mean radiance about +X, -X, +Y, -Y, +Z, -Z
+    vec3 contentMin;          // the box of all that is not vacuum [scene units]
+    float negligibleGradient; // |grad n| that counts as none [1 / scene unit]
+    vec3 contentMax;
+    uint dispersedAtStart;    // RayState::dispersed of new rays
     vec3 bandToRgb;           // linear Rec.709 of a unit of radiance in the band
     uint bandChannel;         // of the ray's radiance: the one that the band is about, or kAllChannels
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RayState) == 128 && offsetof(RayState, crossingGradMax) == 96);
+static_assert(sizeof(RayState) == 144 && offsetof(RayState, crossingGradMax) == 96);
 static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, depth) == 32 && offsetof(RayState, status) == 60);
-static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 64);
+static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 80);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
-static_assert(offsetof(ViewBlock, bandToRgb) == 272 && sizeof(ViewBlock) == 288);
+static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && sizeof(ViewBlock) == 320);
 
 } // namespace eikonal::gpu
 #endif

@@ -5,10 +5,12 @@
 layout(local_size_x = kRaysPerGroup) in;
 
 layout(std430, binding = kStorageFilm) buffer Film { FilmPixel film[]; };
-layout(std430, binding = kStorageCounters) buffer Counters { uint counters[4]; };
+layout(std430, binding = kStorageCounters) buffer Counters { uint counters[8]; };
 
 shared uint groupEntered;
 shared uint groupEvaluations;
+shared uint groupLookUps;
+shared uint groupMatterSamples;
 
 void addToCounter(int counter, uint value) {
     uint before = atomicAdd(counters[2 * counter], value);
@@ -30,18 +32,21 @@ vec3 colourOf(RayState ray) {
 }
 
 void develop(uint index, RayState ray) {
-    FilmPixel pixel = film[index];
+    FilmPixel pixel = film[filmStart + index];
     if (sampleIndex == 0u && isReferencePass()) {
         pixel.radiance = vec3(0.0);
         pixel.exitDirection = unitDirection(ray);
-        pixel.steps = ray.evaluations > 0u ? float(ray.evaluations - 1u) : 0.0;
+        pixel.steps = ray.evaluations > 0u ? float(ray.evaluations - 1u + ray.lookUps) : 0.0;
         pixel.depth = ray.depth;
         pixel.entryDistance = ray.entryDistance;
         pixel.throughput = rayThroughput(ray);
         pixel.opticalLength = ray.opticalLength;
+        pixel.normal = ray.crossingNormal;
     }
-    pixel.radiance += sampleWeight * colourOf(ray);
-    film[index] = pixel;
+    // The reference pass begins a sample: it takes the new sample's share out of the mean of those before.
+    vec3 before = isReferencePass() ? pixel.radiance : vec3(0.0);
+    pixel.radiance += sampleWeight * (colourOf(ray) - before);
+    film[filmStart + index] = pixel;
 }
 
 void main() {
@@ -49,6 +54,8 @@ void main() {
     if (gl_LocalInvocationIndex == 0u) {
         groupEntered = 0u;
         groupEvaluations = 0u;
+        groupLookUps = 0u;
+        groupMatterSamples = 0u;
     }
     barrier();
     if (index < rayCount && isFollowed(rays[index])) {
@@ -56,10 +63,14 @@ void main() {
         develop(index, ray);
         atomicAdd(groupEntered, ray.status == kMissed ? 0u : 1u);
         atomicAdd(groupEvaluations, ray.evaluations);
+        atomicAdd(groupLookUps, ray.lookUps);
+        atomicAdd(groupMatterSamples, ray.matterSamples);
     }
     barrier();
     if (gl_LocalInvocationIndex == 0u) {
         addToCounter(0, groupEntered);
         addToCounter(1, groupEvaluations);
+        addToCounter(2, groupLookUps);
+        addToCounter(3, groupMatterSamples);
     }
 }

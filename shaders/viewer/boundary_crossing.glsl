@@ -5,9 +5,18 @@
 
 #ifdef EFFECT_REFLECTION
 
-Crossing crossingOf(RayState ray) {
-    return Crossing(ray.crossingNormal, ray.crossingGradMax, ray.crossingStart, ray.n, ray.crossingWTangential,
+Crossing crossingOf(RayState ray, float nBefore) {
+    return Crossing(ray.crossingNormal, ray.crossingGradMax, ray.crossingStart, nBefore, ray.crossingWTangential,
                     ray.crossingSide);
+}
+
+bool inBoundary(vec3 x) {
+    return inInterface(x);
+}
+
+// Whether a sample ends the crossing that is under way.
+bool boundaryEnds(RayState ray, bool inBand, Optics optics) {
+    return crossingEnds(crossingOf(ray, ray.n), inBand, optics.gradN);
 }
 
 // The mirrored environment is looked up along the reflected ray's first direction: later bends of it are not followed.
@@ -23,17 +32,9 @@ void reflectAndTransmit(inout RayState ray, Crossing crossing, vec3 w, float nEn
     ray.throughputP *= transmittance.p;
 }
 
-// After a sample with wave vector w; ray.n is still the index of the sample before.
-void followBoundary(inout RayState ray, vec3 w, Optics optics) {
-    bool inBand = inInterface(ray.x);
-    if (!inBand && ray.crossingGradMax == 0.0) {
-        return;
-    }
-    Crossing crossing = crossingOf(ray);
-    if (crossingEnds(crossing, inBand, optics.gradN)) {
-        reflectAndTransmit(ray, crossing, w, crossingEndIndex(crossing, inBand, optics.n));
-    }
-    Crossing next = crossingAfter(crossing, inBand, w, optics.n, optics.gradN);
+// After a sample with wave vector w that ends no crossing; nBefore: index of the sample before.
+void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Optics optics) {
+    Crossing next = crossingAfter(crossingOf(ray, nBefore), inBand, w, optics.n, optics.gradN);
     ray.crossingNormal = next.normal;
     ray.crossingGradMax = next.gradMax;
     ray.crossingStart = next.nStart;
@@ -41,8 +42,26 @@ void followBoundary(inout RayState ray, vec3 w, Optics optics) {
     ray.crossingSide = next.sideAtStart;
 }
 
+// The same after any sample: light is split where it ends a crossing.
+void endBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Optics optics) {
+    Crossing crossing = crossingOf(ray, nBefore);
+    if (boundaryEnds(ray, inBand, optics)) {
+        reflectAndTransmit(ray, crossing, w, crossingEndIndex(crossing, inBand, optics.n));
+    }
+    followBoundary(ray, nBefore, inBand, w, optics);
+}
+
 #else
 
-void followBoundary(inout RayState ray, vec3 w, Optics optics) {}
+bool inBoundary(vec3 x) {
+    return false;
+}
+
+bool boundaryEnds(RayState ray, bool inBand, Optics optics) {
+    return false;
+}
+
+void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Optics optics) {}
+void endBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Optics optics) {}
 
 #endif

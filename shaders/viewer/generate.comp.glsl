@@ -30,6 +30,9 @@ RayState rayAt(vec3 origin, vec3 direction) {
     ray.n = 1.0;
     ray.nCamera = 1.0;
     ray.entryDistance = uintBitsToFloat(0x7f800000u);
+    ray.lookUps = 0u;
+    ray.lookAgainAt = 0.0;
+    ray.matterSamples = 0u;
     ray.dispersed = dispersedAtStart;
     return ray;
 }
@@ -48,6 +51,9 @@ RayState enterDomain(RayState ray) {
     entered.w = ray.w * entered.n;
     entered.evaluations = 1u;
     entered.entryDistance = enter;
+#ifdef EFFECT_DISPERSION
+    entered.dispersed |= uint(hasMetDispersion);
+#endif
     entered.nCamera = span.enter <= 0.0 ? entered.n : 1.0;
     return entered;
 }

@@ -1,5 +1,6 @@
 // The baked light at a world position.
 #include "fields/trilinear.glsl"
+#include "physics/phase.glsl"
 #include "shared/view_blocks.h"
 
 #ifdef BAKED_LIGHT
@@ -14,5 +15,20 @@ vec3 sampleIrradiance(vec3 x) {
 // Flux vector over scalar irradiance.
 vec3 sampleLightDirection(vec3 x) {
     return sampleTrilinear(lightDirectionGrid, (x - lightMin) * lightScale).rgb;
+}
+
+#ifdef LIGHT_LOBES
+#include "viewer/lobes.glsl"
+#endif
+
+// Irradiance times phase function, summed over arrivals, of light that is scattered against the direction of view.
+vec3 phasedIrradiance(vec3 x, vec3 viewDirection, float g) {
+    vec4 direction = sampleTrilinear(lightDirectionGrid, (x - lightMin) * lightScale);
+#ifdef LIGHT_LOBES
+    if (direction.a > 0.0) {  // one of the voxels about x at least has lobes
+        return phasedLobes(x, viewDirection, g);
+    }
+#endif
+    return sampleIrradiance(x) * phaseOfFlux(viewDirection, direction.rgb, g);
 }
 #endif

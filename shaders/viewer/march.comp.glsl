@@ -1,5 +1,9 @@
-// Viewing rays through the domain, a slice of their steps: drift, kick, drift by arc length (physics/ray.glsl). The last
-// step is cut at the face. Rays that have ended return at once.
+// Viewing rays through the domain, a slice of their steps: straight flights where nothing bends them, else drift, kick,
+// drift by arc length (physics/ray.glsl). Rays that have ended return at once.
+//
+// A vector of rays pays for every line between two turns of a loop, whether or not one of them takes that branch. So the
+// innermost loop holds what every step needs; whatever happens now and then ends it and is dealt with outside. And a loop runs
+// until all rays of the vector have left it: rays fly, come away from the faces, and step, each all together.
 #include "viewer/ray_states.glsl"
 #include "fields/fields.glsl"
 #include "physics/ray.glsl"
@@ -9,79 +13,78 @@
 
 layout(local_size_x = kRaysPerGroup) in;
 
+// Groups of the next slice: up to the last one that holds a ray under way.
+layout(std430, binding = kStorageMarchGroups) buffer MarchGroups { uvec3 nextGroups; };
+
 // A step: two straight pieces that meet where the field is evaluated.
 struct Step {
     vec3 start, middle, end;
-    vec3 direction;      // in the middle, unit
+    vec3 w;              // wave vector in the middle
     float first, second; // lengths of the pieces [scene units]
+    float nBefore;       // index at the evaluation before
+    Optics optics;       // in the middle
+    bool inBand;         // of a boundary
 };
 
-#include "viewer/opaque_hit.glsl"
-
-bool outside(vec3 x) {
-    return any(lessThan(x, domainMin)) || any(greaterThan(x, domainMax));
-}
-
-float distanceToFace(RayState ray) {
-    return distanceToExit(ray.x, unitDirection(ray), domainMin, domainMax);
-}
-
-// Length of the next step: the last one ends at the face, so that it turns the ray by no more than it goes. It may be as
-// short as kShortestStep of the usual one; below that the ray is taken to stand on the face.
-const float kShortestStep = 1e-3;
-
-float nextStepLength(RayState ray) {
-    if (!outside(driftByLength(Ray(ray.x, ray.w), stepLength).x)) {
-        return stepLength;
+void endRay(inout RayState ray) {
+#if defined(MATTER) || defined(EFFECT_REFLECTION)
+    vec3 left = rayThroughput(ray);
+    if (ray.status == kMarching && max(left.r, max(left.g, left.b)) < minThroughput) {
+        ray.status = kAttenuated;
     }
-    return clamp(distanceToFace(ray), kShortestStep * stepLength, stepLength);
-}
-
-// Moves the ray straight on, to the face of the domain at most; the length it went.
-float drift(inout RayState ray, float ds) {
-    vec3 moved = driftByLength(Ray(ray.x, ray.w), ds).x;
-    float went = ds;
-    if (outside(moved)) {
-        went = min(distanceToFace(ray), ds);
-        moved = clamp(driftByLength(Ray(ray.x, ray.w), went).x, domainMin, domainMax);
-        ray.status = kExited;
-    }
-    ray.x = moved;
-    return went;
-}
-
-// Evaluates the field where the ray is and turns it; the direction half way through the kick.
-vec3 kick(inout RayState ray, float ds) {
-    Optics optics = sampleOptics(ray.x);
-    ray.evaluations += 1u;
-#ifdef EFFECT_REFRACTION
-    vec3 wMiddle = kickByLength(Ray(ray.x, ray.w), optics.gradN, 0.5 * ds).w;
-    ray.w = kickByLength(Ray(ray.x, ray.w), optics.gradN, ds).w;
-#else
-    vec3 wMiddle = ray.w;
 #endif
-    followBoundary(ray, wMiddle, optics);
-    ray.n = optics.n;
-    return wMiddle / length(wMiddle);
+    if (ray.status == kMarching && ray.evaluations + ray.lookUps >= maxEvaluations) {
+        ray.status = kStepLimit;
+    }
 }
 
-// The second drift of the last step goes on to the face, which the turn has moved a little nearer or farther.
-float lastDrift(inout RayState ray, float ds) {
-    float toFace = distanceToFace(ray);
-    return drift(ray, toFace < 2.0 * ds ? 1.001 * toFace + kShortestStep * stepLength : ds);
+#include "viewer/opaque_hit.glsl"
+#include "viewer/flight.glsl"
+#include "viewer/face_step.glsl"
+
+// Evaluates the field where the ray is and turns it.
+void kick(inout RayState ray, inout Step taken, float ds) {
+    taken.middle = ray.x;
+    taken.nBefore = ray.n;
+    taken.optics = sampleOptics(ray.x);
+    taken.inBand = inBoundary(ray.x);
+    taken.w = ray.w;
+    ray.evaluations += 1u;
+    ray.n = taken.optics.n;
+#ifdef EFFECT_REFRACTION
+    taken.w = kickByLength(Ray(ray.x, ray.w), taken.optics.gradN, 0.5 * ds).w;
+    ray.w = kickByLength(Ray(ray.x, ray.w), taken.optics.gradN, ds).w;
+#endif
+    noteBend(ray, taken.optics.gradN, ds);
 }
 
-Step takeStep(inout RayState ray) {
+// A step that cannot reach a face.
+Step innerStep(inout RayState ray) {
+    Step taken;
+    taken.start = ray.x;
+    taken.first = 0.5 * stepLength;
+    taken.second = taken.first;
+    ray.x = driftByLength(Ray(ray.x, ray.w), taken.first).x;
+    kick(ray, taken, stepLength);
+    ray.x = driftByLength(Ray(ray.x, ray.w), taken.second).x;
+    taken.end = ray.x;
+    return taken;
+}
+
+// A step that may end at the face.
+Step outerStep(inout RayState ray) {
     Step taken;
     float ds = nextStepLength(ray);
     taken.start = ray.x;
+    taken.nBefore = ray.n;
+    taken.w = ray.w;
+    taken.optics = Optics(ray.n, vec3(0.0));
+    taken.inBand = true;
     taken.first = drift(ray, 0.5 * ds);
     taken.middle = ray.x;
     taken.second = 0.0;
-    if (ray.status == kExited) {
-        taken.direction = unitDirection(ray);
-    } else {
-        taken.direction = kick(ray, ds);
+    if (ray.status == kMarching) {
+        kick(ray, taken, ds);
         taken.second = ds < stepLength ? lastDrift(ray, 0.5 * ds) : drift(ray, 0.5 * ds);
     }
     taken.end = ray.x;
@@ -94,28 +97,92 @@ void passStep(inout RayState ray, Step taken) {
     ray.pathLength += taken.first + taken.second;
     ray.opticalLength += ray.n * (taken.first + taken.second);
 #ifdef MATTER
+    vec3 direction = taken.w / length(taken.w);
 #if SAMPLES_PER_HALF == 0
     vec3 x = taken.second > 0.0 ? taken.middle : 0.5 * (taken.start + taken.middle);
-    passMatter(ray, x, taken.direction, ray.n, taken.first + taken.second);
+    passMatter(ray, x, direction, ray.n, taken.first + taken.second);
 #else
     for (int i = 0; i < 2 * SAMPLES_PER_HALF; ++i) {
         bool first = i < SAMPLES_PER_HALF;
         float share = (float(first ? i : i - SAMPLES_PER_HALF) + 0.5) / float(SAMPLES_PER_HALF);
         vec3 x = first ? mix(taken.start, taken.middle, share) : mix(taken.middle, taken.end, share);
-        passMatter(ray, x, taken.direction, ray.n, (first ? taken.first : taken.second) / float(SAMPLES_PER_HALF));
+        passMatter(ray, x, direction, ray.n, (first ? taken.first : taken.second) / float(SAMPLES_PER_HALF));
     }
 #endif
 #endif
 }
 
-void endRay(inout RayState ray) {
-    vec3 left = rayThroughput(ray);
-    if (ray.status == kMarching && max(left.r, max(left.g, left.b)) < minThroughput) {
-        ray.status = kAttenuated;
+// Whether something happens in a step that most steps pass without: a boundary ends, or opaque matter is met.
+bool isEventful(RayState ray, Step taken) {
+    return boundaryEnds(ray, taken.inBand, taken.optics) || meetsOpaque(taken);
+}
+
+// Steps until something happens, the ray comes near a face, or it may fly. The last one is not passed yet if something
+// happened in it: true.
+bool stepAlong(inout RayState ray, inout Step taken, inout uint left) {
+    bool eventful = false;
+    while (!eventful && left > 0u && ray.status == kMarching && farFromFaces(ray.x) && !looksAhead(ray)) {
+        taken = innerStep(ray);
+        eventful = isEventful(ray, taken);
+        if (!eventful) {
+            followBoundary(ray, taken.nBefore, taken.inBand, taken.w, taken.optics);
+            passStep(ray, taken);
+            endRay(ray);
+        }
+        left -= 1u;
     }
-    if (ray.status == kMarching && ray.evaluations >= maxEvaluations) {
-        ray.status = kStepLimit;
+    return eventful;
+}
+
+void finishStep(inout RayState ray, Step taken) {
+    endBoundary(ray, taken.nBefore, taken.inBand, taken.w, taken.optics);
+    cutAtOpaque(ray, taken);
+    passStep(ray, taken);
+    endRay(ray);
+}
+
+// Steps while a face is near.
+void stepNearFaces(inout RayState ray, inout uint left) {
+    while (left > 0u && ray.status == kMarching && !farFromFaces(ray.x) && !looksAhead(ray)) {
+        Step taken = outerStep(ray);
+        finishStep(ray, taken);
+        left -= 1u;
     }
+}
+
+// What marching changes: the rest of a state is neither read nor written.
+void storeRay(uint index, RayState ray) {
+    rays[index].x = ray.x;
+    rays[index].w = ray.w;
+    rays[index].n = ray.n;
+    rays[index].status = ray.status;
+    rays[index].pathLength = ray.pathLength;
+    rays[index].opticalLength = ray.opticalLength;
+    rays[index].evaluations = ray.evaluations;
+#ifdef EFFECT_DISPERSION
+    rays[index].dispersed = ray.dispersed | uint(hasMetDispersion);
+#endif
+#ifdef STRAIGHT_FLIGHTS
+    rays[index].lookUps = ray.lookUps;
+    rays[index].lookAgainAt = ray.lookAgainAt;
+#endif
+#ifdef MATTER
+    rays[index].depth = ray.depth;
+    rays[index].transmittance = ray.transmittance;
+    rays[index].matterSamples = ray.matterSamples;
+#endif
+#if defined(MATTER) || defined(EFFECT_REFLECTION)
+    rays[index].radiance = ray.radiance;
+#endif
+#ifdef EFFECT_REFLECTION
+    rays[index].throughputS = ray.throughputS;
+    rays[index].throughputP = ray.throughputP;
+    rays[index].crossingNormal = ray.crossingNormal;
+    rays[index].crossingGradMax = ray.crossingGradMax;
+    rays[index].crossingStart = ray.crossingStart;
+    rays[index].crossingWTangential = ray.crossingWTangential;
+    rays[index].crossingSide = ray.crossingSide;
+#endif
 }
 
 void main() {
@@ -125,14 +192,17 @@ void main() {
     }
     RayState ray = rays[index];
     stopInsideOpaque(ray);
-    for (uint i = 0u; i < stepsPerSlice && ray.status == kMarching; ++i) {
-        Step taken = takeStep(ray);
-        cutAtOpaque(ray, taken);
-        passStep(ray, taken);
-        endRay(ray);
+    uint left = stepsPerSlice;
+    while (left > 0u && ray.status == kMarching) {
+        flyAhead(ray, left);
+        stepNearFaces(ray, left);
+        Step eventful;
+        if (stepAlong(ray, eventful, left)) {
+            finishStep(ray, eventful);
+        }
     }
-#ifdef EFFECT_DISPERSION
-    ray.dispersed |= uint(hasMetDispersion);
-#endif
-    rays[index] = ray;
+    storeRay(index, ray);
+    if (ray.status == kMarching) {
+        atomicMax(nextGroups.x, gl_WorkGroupID.x + 1u);
+    }
 }

@@ -18,7 +18,7 @@
 vec3 scatteredRadiance(vec3 x, vec3 direction, vec4 sigmaS) {
 #ifdef BAKED_LIGHT
     if (max(sigmaS.r, max(sigmaS.g, sigmaS.b)) > 0.0) {
-        return sigmaS.rgb * sampleIrradiance(x) * phaseOfFlux(direction, sampleLightDirection(x), sigmaS.a);
+        return sigmaS.rgb * phasedIrradiance(x, direction, sigmaS.a);
     }
 #endif
     return vec3(0.0);
@@ -28,6 +28,7 @@ vec3 scatteredRadiance(vec3 x, vec3 direction, vec4 sigmaS) {
 void passMatter(inout RayState ray, vec3 x, vec3 direction, float n, float ds) {
     vec3 sigmaT = vec3(0.0);
     vec3 source = vec3(0.0);
+    ray.matterSamples += 1u;
 #ifdef EFFECT_ABSORPTION
     sigmaT += sampleSigmaA(x);
 #endif

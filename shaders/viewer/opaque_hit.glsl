@@ -18,7 +18,7 @@ vec3 pointOfStep(Step taken, float share) {
 float shareOfHit(Step taken, float solidShare) {
     float free = 0.0;
     float solid = solidShare;
-    for (int i = 0; i < kBisections; ++i) {
+    for (int i = 0; i < kBisections && solidShare > 0.0; ++i) {
         float middle = 0.5 * (free + solid);
         if (isSolid(pointOfStep(taken, middle))) {
             solid = middle;
@@ -29,12 +29,24 @@ float shareOfHit(Step taken, float solidShare) {
     return solid;
 }
 
-// Ends the ray and the step where the step meets matter. Steps beyond a voxel are looked at in their middle too.
-void cutAtOpaque(inout RayState ray, inout Step taken) {
-    float solidShare = isSolid(taken.end) ? 1.0 : 0.0;
+// The first place looked at that is solid, as a share of the step; 0: none. Steps beyond a voxel are looked at in their
+// middle too.
+float solidShareOf(Step taken) {
 #if SAMPLES_PER_HALF > 0
-    solidShare = isSolid(taken.middle) ? 0.5 : solidShare;
+    if (isSolid(taken.middle)) {
+        return 0.5;
+    }
 #endif
+    return isSolid(taken.end) ? 1.0 : 0.0;
+}
+
+bool meetsOpaque(Step taken) {
+    return solidShareOf(taken) > 0.0;
+}
+
+// Ends the ray and the step where the step meets matter.
+void cutAtOpaque(inout RayState ray, inout Step taken) {
+    float solidShare = solidShareOf(taken);
     if (solidShare == 0.0) {
         return;
     }
@@ -55,6 +67,10 @@ void stopInsideOpaque(inout RayState ray) {
 }
 
 #else
+
+bool meetsOpaque(Step taken) {
+    return false;
+}
 
 void cutAtOpaque(inout RayState ray, inout Step taken) {}
 void stopInsideOpaque(inout RayState ray) {}

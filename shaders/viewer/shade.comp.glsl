@@ -3,7 +3,7 @@
 #include "fields/fields.glsl"
 #include "physics/phase.glsl"
 #include "viewer/background.glsl"
-#include "viewer/light.glsl"
+#include "viewer/surface_light.glsl"
 
 layout(local_size_x = kRaysPerGroup) in;
 
@@ -30,12 +30,10 @@ vec3 ambientRadiance(vec3 normal) {
 }
 
 // A diffuse surface under the baked light, looked up a voxel off it, and under the environment.
-vec3 surfaceRadiance(vec3 x, vec3 direction) {
-    vec3 normal = surfaceNormal(x, direction);
+vec3 surfaceRadiance(vec3 x, vec3 normal) {
     vec3 received = ambientRadiance(normal);
 #ifdef BAKED_LIGHT
-    vec3 above = x + normal * opaqueOffset;
-    received += sampleIrradiance(above) * (max(-dot(sampleLightDirection(above), normal), 0.0) / kPi);
+    received += fluxOnto(x + normal * opaqueOffset, normal) / kPi;
 #endif
     // Coverage thins out over the last voxel of an object, and its albedo with it is only certain inside.
     return sampleOpaque(x - 0.5 * normal * domainVoxel).rgb * received;
@@ -43,14 +41,23 @@ vec3 surfaceRadiance(vec3 x, vec3 direction) {
 
 #endif
 
-vec3 radianceBehind(RayState ray) {
-    vec3 direction = unitDirection(ray);
+// Of the surface at the ray's end; 0 where there is none.
+vec3 normalAtEnd(RayState ray) {
 #ifdef EFFECT_OPAQUE
     if (ray.status == kHitOpaque) {
-        return surfaceRadiance(ray.x, direction) / (ray.n * ray.n);
+        return surfaceNormal(ray.x, unitDirection(ray));
     }
 #endif
-    return ray.status == kAttenuated ? vec3(0.0) : background(direction);
+    return vec3(0.0);
+}
+
+vec3 radianceBehind(RayState ray, vec3 normal) {
+#ifdef EFFECT_OPAQUE
+    if (ray.status == kHitOpaque) {
+        return surfaceRadiance(ray.x, normal) / (ray.n * ray.n);
+    }
+#endif
+    return ray.status == kAttenuated ? vec3(0.0) : background(unitDirection(ray));
 }
 
 void main() {
@@ -59,6 +66,8 @@ void main() {
         return;
     }
     RayState ray = rays[index];
-    vec3 basic = ray.radiance + rayThroughput(ray) * radianceBehind(ray);
+    vec3 normal = normalAtEnd(ray);
+    vec3 basic = ray.radiance + rayThroughput(ray) * radianceBehind(ray, normal);
+    rays[index].crossingNormal = normal;
     rays[index].radiance = ray.nCamera * ray.nCamera * basic;
 }

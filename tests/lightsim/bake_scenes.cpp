@@ -1,5 +1,7 @@
 #include "tests/lightsim/bake_scenes.h"
 
+#include <algorithm>
+
 namespace eikonal::test {
 
 Scene sceneWith(const Light& light) {
@@ -41,6 +43,40 @@ double relativeL1(const DenseGrid<glm::vec3>& a, const DenseGrid<glm::dvec3>& b)
         total += b.values[i].x;
     }
     return difference / total;
+}
+
+namespace {
+
+double cubeMean(const Lattice& lattice, const glm::dvec3& centre, const std::function<double(const glm::dvec3&)>& value) {
+    const double offset = lattice.voxel / std::sqrt(12.0);
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
+        sum += value(centre + offset * (2.0 * side - 1.0));
+    }
+    return sum / 8.0;
+}
+
+} // namespace
+
+RelativeErrors errorsAgainst(const BakedLight& light, const std::function<bool(const glm::dvec3&)>& isCompared,
+                             const std::function<double(const glm::dvec3&)>& truth) {
+    std::vector<double> sizes;
+    RelativeErrors errors;
+    forEachVoxel(light.lattice, [&](const glm::ivec3& v) {
+        const glm::dvec3 centre = light.lattice.worldFromIndex(v);
+        if (!isCompared(centre)) return;
+        const double error = light.irradiance.at(v).x / cubeMean(light.lattice, centre, truth) - 1.0;
+        errors.rms += error * error;
+        errors.bias += error;
+        sizes.push_back(std::abs(error));
+    });
+    std::sort(sizes.begin(), sizes.end());
+    errors.voxels = int(sizes.size());
+    errors.rms = std::sqrt(errors.rms / errors.voxels);
+    errors.bias /= errors.voxels;
+    errors.median = sizes.empty() ? 0.0 : sizes[sizes.size() / 2];
+    return errors;
 }
 
 } // namespace eikonal::test

@@ -67,7 +67,7 @@ test::Members launchFrameMembers() {
         EIKONAL_MEMBER(bake::LaunchFrame, axis), EIKONAL_MEMBER(bake::LaunchFrame, firstCell),
         EIKONAL_MEMBER(bake::LaunchFrame, profileAxis), EIKONAL_MEMBER(bake::LaunchFrame, profile),
         EIKONAL_MEMBER(bake::LaunchFrame, coneInner), EIKONAL_MEMBER(bake::LaunchFrame, coneOuter),
-        EIKONAL_MEMBER(bake::LaunchFrame, unusedA), EIKONAL_MEMBER(bake::LaunchFrame, unusedB)
+        EIKONAL_MEMBER(bake::LaunchFrame, pathBefore), EIKONAL_MEMBER(bake::LaunchFrame, unusedA)
     };
 }
 
@@ -164,8 +164,8 @@ test::Members tubeSettingsMembers() {
         EIKONAL_MEMBER(bake::TubeSettings, nearMargin),
         EIKONAL_MEMBER(bake::TubeSettings, maxUnevenSpread),
         EIKONAL_MEMBER(bake::TubeSettings, evenSide),
-        EIKONAL_MEMBER(bake::TubeSettings, unusedA),
-        EIKONAL_MEMBER(bake::TubeSettings, unusedB)
+        EIKONAL_MEMBER(bake::TubeSettings, mirrorCount),
+        EIKONAL_MEMBER(bake::TubeSettings, mirrors)
     };
 }
 
@@ -177,6 +177,12 @@ TEST(BlockLayout, OfTubesIsTheCompilers) {
     for (const auto& [name, offset] : test::prefixed("presences[0].", tubePresenceMembers(), 16)) {
         EXPECT_EQ(presences.members.at(name), offset) << name;
     }
+    const gpu::Kernel follow(test::sharedContext(), "lightsim/tubes/trace.comp.glsl",
+                             {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "FOLLOW_REFLECTIONS"});
+    const auto reflections = test::storageBlockLayout(follow, "ReflectionBlock");
+    EXPECT_EQ(reflections.stride, sizeof(bake::TubeReflections));
+    EXPECT_EQ(reflections.members.at("reflections[0].shares[0]"), offsetof(bake::TubeReflections, shares));
+    EXPECT_EQ(reflections.members.at("reflections[0].crossings"), offsetof(bake::TubeReflections, crossings));
     const auto settings = test::uniformBlockLayout(trace, "TubeBlock");
     EXPECT_EQ(settings.members, test::prefixed("tube.", tubeSettingsMembers()));
     const gpu::Kernel measure = kernelOf("lightsim/tubes/measure_nodes.comp.glsl");

@@ -16,6 +16,11 @@ std::vector<KernelVariant> variants() {
         for (const char* kernel : {"emit", "propagate", "refine", "retire", "split", "deposit", "deposit_corners", "deposit_peak"}) {
             rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {"BANDS 3"}));
         }
+        for (const char* kernel : {"deposit", "deposit_corners"}) {
+            for (const char* bands : {"BANDS 1", "BANDS 3"}) {
+                rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {bands, "LIGHT_LOBES"}));
+            }
+        }
         for (const char* kernel : {"deposit", "deposit_corners", "deposit_peak"}) {  // the others know no bands
             rows.push_back(test::variant("lightsim/" + std::string(kernel) + ".comp.glsl", subset, {"BANDS 1"}));
         }
@@ -24,9 +29,21 @@ std::vector<KernelVariant> variants() {
                                                     "EFFECT_REFLECTION", "EFFECT_OPAQUE", "MANUAL_FILTERING"})) {
         rows.push_back(test::variant("lightsim/tubes/trace.comp.glsl", subset, {"BANDS 3"}));
     }
+    for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION", "EFFECT_SCATTERING", "EFFECT_OPAQUE", "MANUAL_FILTERING"})) {
+        rows.push_back(test::variant("lightsim/tubes/trace.comp.glsl", subset,
+                                     {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "FOLLOW_REFLECTIONS"}));
+    }
+    for (const char* list : {"PART_LIST 0", "PART_LIST 1", "PART_LIST 2"}) {
+        for (const auto& subset : test::tellingSubsets({"FOLLOW_REFLECTIONS"})) {
+            rows.push_back(test::variant("lightsim/tubes/eikonal.comp.glsl", subset, {"BANDS 3", list}));
+        }
+    }
+    for (const char* kernel : {"measure_edges", "measure_nodes", "deposit_gather", "deposit_points", "deposit_rays", "tally"}) {
+        rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3", "FOLLOW_REFLECTIONS"}});
+    }
     for (const char* bands : {"BANDS 1", "BANDS 3"}) {
         for (const char* kernel : {"deposit_gather", "deposit_points", "deposit_rays"}) {
-            for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION"})) {
+            for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION", "LIGHT_LOBES"})) {
                 rows.push_back(test::variant("lightsim/tubes/" + std::string(kernel) + ".comp.glsl", subset, {bands}));
             }
         }

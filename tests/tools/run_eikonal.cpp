@@ -19,11 +19,12 @@ namespace {
     for (const std::string& variable : options.environment) {
         ::putenv(const_cast<char*>(variable.c_str()));
     }
+    if (!options.workingFolder.empty() && ::chdir(options.workingFolder.c_str()) != 0) ::_exit(126);
     const int outFile = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600);
     const int errFile = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
     ::dup2(outFile, STDOUT_FILENO);
     ::dup2(errFile, STDERR_FILENO);
-    ::execv(EIKONAL_BINARY, arguments.data());
+    ::execvp(arguments.front(), arguments.data());
     ::_exit(127);
 }
 
@@ -51,9 +52,10 @@ RunResult runEikonal(const std::vector<std::string>& arguments, const RunOptions
     const TemporaryFolder folder;
     const std::string err = folder.file("stderr");
     const std::string out = options.standardOutput.empty() ? folder.file("stdout") : options.standardOutput;
-    std::string program = EIKONAL_BINARY;
-    std::vector<std::string> copies = arguments;
-    std::vector<char*> argv{program.data()};
+    std::vector<std::string> copies = options.launcher;
+    copies.emplace_back(EIKONAL_BINARY);
+    copies.insert(copies.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
     std::transform(copies.begin(), copies.end(), std::back_inserter(argv), [](std::string& text) { return text.data(); });
     argv.push_back(nullptr);
 

@@ -21,6 +21,8 @@ struct RunResult {
 struct RunOptions {
     std::vector<std::string> environment;  ///< "NAME=value", added to this process's
     std::string standardOutput;            ///< file that takes stdout; empty: captured
+    std::vector<std::string> launcher;     ///< program and arguments that start the executable; empty: none
+    std::string workingFolder;             ///< empty: this process's
     std::function<void(pid_t)> whileRunning;  ///< called once after the start, for signals
 };
 

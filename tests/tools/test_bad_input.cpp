@@ -121,8 +121,20 @@ static const std::vector<BadCase> kVolumeCases{
 };
 
 static const std::vector<BadCase> kSceneCases{
-    {"MethodThatIsNotThereYet", 3, "accuracy.directional",
-     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\n"); }},
+    {"MethodThatIsNotThereYet", 3, "accuracy.integrator",
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\nintegrator = \"euler\"\n"); }},
+    {"LobesOfADepositWithOneDirection", 3, "accuracy.directional",
+     [](const TemporaryFolder& f) {
+         return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\ndeposit = \"peak\"\n");
+     }},
+    {"ReflectionsWithoutTubes", 3, "accuracy.reflections",
+     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"splat\"\nreflections = 1\n"); }},
+    {"EikonalWithoutTubes", 3, "accuracy.deposit",
+     [](const TemporaryFolder& f) {
+         auto arguments = bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"peak\"\n");
+         arguments.push_back("--eikonal");
+         return arguments;
+     }},
     {"MissingScene", 3, "nowhere.toml",
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"bake", f.file("nowhere.toml"), "-o", f.file("out.vdb")};
@@ -167,6 +179,18 @@ static const std::vector<BadCase> kSceneCases{
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"voxelize", f.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "-o",
                                          f.file("out.vdb")};
+     }},
+    {"LobesWithDispersion", 3, "accuracy.directional",
+     [](const TemporaryFolder& f) {
+         auto arguments = bakeOf(f, kSmallScene);
+         arguments.insert(arguments.end(), {"--set", "object.0.cauchy_b=0.01", "--set", "accuracy.directional=lobes"});
+         return arguments;
+     }},
+    {"EikonalWithDispersion", 3, "cauchy_b",
+     [](const TemporaryFolder& f) {
+         auto arguments = bakeOf(f, kSmallScene);
+         arguments.insert(arguments.end(), {"--set", "object.0.cauchy_b=0.01", "--eikonal"});
+         return arguments;
      }},
     {"RaysThatAreNoRays", 3, "rays.csv:2:",
      [](const TemporaryFolder& f) {

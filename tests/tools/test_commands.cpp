@@ -68,6 +68,31 @@ TEST(BakeCommand, TwoRunsGiveTheSameBytes) {
     EXPECT_TRUE(first.find("light_direction")->vector().values == second.find("light_direction")->vector().values);
 }
 
+TEST(BakeCommand, WritesLobesThatRenderReads) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const auto run = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin() + 1, scene);
+        arguments.insert(arguments.end(), {"--set", "medium.anisotropy=0.7", "--set", "accuracy.directional=lobes"});
+        const RunResult result = runEikonal(arguments);
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+    };
+    run({"bake", "-o", folder.file("bake.vdb")});
+    const VdbFile file = readVdb(folder.file("bake.vdb"));
+    const auto grid = [&](const std::string& name) -> const DenseGrid<glm::vec3>& { return file.find(name)->vector(); };
+    std::size_t several = 0;
+    for (std::size_t i = 0; i < grid("irradiance").values.size(); ++i) {
+        const glm::vec3 sum = grid("lobe1_irradiance").values[i] + grid("lobe2_irradiance").values[i] +
+                              grid("lobe3_irradiance").values[i];
+        EXPECT_LE(glm::length(sum - grid("irradiance").values[i]), 1e-6f * glm::length(sum));  // rounded to single precision
+        several += grid("lobe2_irradiance").values[i] != glm::vec3(0.0f) ? 1 : 0;
+    }
+    EXPECT_GT(several, 0u);
+    run({"render", "--bake", folder.file("bake.vdb"), "-o", folder.file("of_file.png")});
+    run({"render", "-o", folder.file("at_once.png")});
+    EXPECT_EQ(readText(folder.file("of_file.png")), readText(folder.file("at_once.png")));
+}
+
 TEST(BakeCommand, StatisticsHoldTheDocumentedKeys) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.toml", kSmallScene);

@@ -68,8 +68,8 @@ TEST_P(Picture, LooksLikeTheGallery) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gallery, Picture,
-                         testing::Values("glass_sphere", "amber_figure", "wine_glass", "luneburg", "fog_point_light", "prism",
-                                         "rainbow_sphere"),
+                         testing::Values("glass_sphere", "amber_figure", "wine_glass", "luneburg", "fog_point_light",
+                                         "glass_plate", "prism", "rainbow_sphere"),
                          [](const auto& picture) { return picture.param; });
 
 } // namespace eikonal::test

@@ -8,7 +8,7 @@ namespace eikonal::test {
 
 namespace {
 
-const std::vector<std::string> kCommands{"voxelize", "bake", "render", "trace", "info", "figure"};
+const std::vector<std::string> kCommands{"voxelize", "bake", "render", "view", "trace", "info", "figure"};
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -66,6 +66,8 @@ TEST(Usage, WrongUsageExitsWith2AndSaysWhy) {
         {"render", scene, "-o", folder.file("out")},
         {"render", scene, "-o", folder.file("out.png"), "--size", "640"},
         {"render", scene, "-o", folder.file("out.png"), "--size", "640x-480"},
+        {"view", scene, "--frames", "3"},
+        {"view", scene, "--frames", "3", "--out", folder.file("out.png")},
         {"trace", scene, "-o", folder.file("out.csv")},
         {"info"},
     };

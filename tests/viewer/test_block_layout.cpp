@@ -1,5 +1,6 @@
 // Both languages lay out the structs that the viewer's stages share alike.
 #include "shaders/shared/domain_block.h"
+#include "shaders/shared/look_block.h"
 #include "shaders/shared/view_blocks.h"
 #include "tests/support/block_layout.h"
 #include "tests/support/synthetic_fields.h"
@@ -18,7 +19,8 @@ test::Members rayStateMembers() {
         EIKONAL_MEMBER(gpu::RayState, crossingStart), EIKONAL_MEMBER(gpu::RayState, crossingWTangential),
         EIKONAL_MEMBER(gpu::RayState, crossingSide), EIKONAL_MEMBER(gpu::RayState, n),
         EIKONAL_MEMBER(gpu::RayState, nCamera), EIKONAL_MEMBER(gpu::RayState, entryDistance),
-        EIKONAL_MEMBER(gpu::RayState, dispersed)
+        EIKONAL_MEMBER(gpu::RayState, lookUps), EIKONAL_MEMBER(gpu::RayState, lookAgainAt),
+        EIKONAL_MEMBER(gpu::RayState, matterSamples), EIKONAL_MEMBER(gpu::RayState, dispersed), EIKONAL_MEMBER(gpu::RayState, pad)
     };
 }
 
@@ -35,8 +37,10 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, imageSize), EIKONAL_MEMBER(gpu::ViewBlock, tileOrigin),
         EIKONAL_MEMBER(gpu::ViewBlock, tileSize), EIKONAL_MEMBER(gpu::ViewBlock, subPixel),
         EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, sampleIndex),
-        EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, dispersedAtStart),
+        EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, filmStart),
         {"ambient[0]", offsetof(gpu::ViewBlock, ambient)},
+        EIKONAL_MEMBER(gpu::ViewBlock, contentMin), EIKONAL_MEMBER(gpu::ViewBlock, negligibleGradient),
+        EIKONAL_MEMBER(gpu::ViewBlock, contentMax), EIKONAL_MEMBER(gpu::ViewBlock, dispersedAtStart),
         EIKONAL_MEMBER(gpu::ViewBlock, bandToRgb), EIKONAL_MEMBER(gpu::ViewBlock, bandChannel),
     };
 }
@@ -55,7 +59,8 @@ test::Members filmPixelMembers() {
         EIKONAL_MEMBER(gpu::FilmPixel, radiance), EIKONAL_MEMBER(gpu::FilmPixel, steps),
         EIKONAL_MEMBER(gpu::FilmPixel, exitDirection), EIKONAL_MEMBER(gpu::FilmPixel, entryDistance),
         EIKONAL_MEMBER(gpu::FilmPixel, depth), EIKONAL_MEMBER(gpu::FilmPixel, opticalLength),
-        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, pad)
+        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, pad),
+        EIKONAL_MEMBER(gpu::FilmPixel, normal), EIKONAL_MEMBER(gpu::FilmPixel, normalPad)
     };
 }
 
@@ -70,6 +75,16 @@ TEST(BlockLayout, OfTheMarchIsTheCompilers) {
     const auto domain = test::uniformBlockLayout(march, "DomainBlock");
     EXPECT_EQ(domain.members, domainBlockMembers());
     EXPECT_EQ(domain.bytes, sizeof(gpu::DomainBlock));
+}
+
+TEST(BlockLayout, OfALookIsTheCompilers) {
+    const gpu::Kernel picture(test::sharedContext(), "viewer/picture.comp.glsl", {"LOOK_SLICE", "LOOK_INDEX"});
+    const auto look = test::uniformBlockLayout(picture, "LookBlock");
+    const test::Members members{
+        EIKONAL_MEMBER(gpu::LookBlock, sliceAxis), EIKONAL_MEMBER(gpu::LookBlock, slicePosition),
+        EIKONAL_MEMBER(gpu::LookBlock, lowest), EIKONAL_MEMBER(gpu::LookBlock, highest)};
+    EXPECT_EQ(look.members, members);
+    EXPECT_EQ(look.bytes, sizeof(gpu::LookBlock));
 }
 
 TEST(BlockLayout, OfTheFilmIsTheCompilers) {

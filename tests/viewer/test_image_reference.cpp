@@ -116,7 +116,8 @@ BakedLight byBand(BakedLight light, int bands) {
 
 std::vector<glm::dvec3> rendered(const Setting& setting) {
     const RenderResult image = renderScene(test::sharedContext(), setting.scene, setting.fields,
-                                           test::effectsOf(setting.scene, setting.fields), &setting.light);
+                                           test::effectsOf(setting.scene, setting.fields), &setting.light,
+                                           {.straightFlights = false});  // as the reference
     std::vector<glm::dvec3> radiance;
     for (int i = 0; i < kSize * kSize; ++i) radiance.emplace_back(image.radiance(i % kSize, i / kSize));
     return radiance;
@@ -223,6 +224,25 @@ TEST(ImageReference, AgreesOnDispersingGlassInSmoke) {
 TEST(ImageReference, AgreesOnOpaqueMatterInSmokeAndAlone) {
     expectAgreement(boxInSmoke(), kRoundingAtSurfaces);
     expectAgreement(only(boxInSmoke(), {Effect::kOpaque}), kRoundingAtSurfaces);
+}
+
+/// In every other layer of voxels the light comes as two or three lobes, about as bright as without.
+void giveLobes(BakedLight& light) {
+    for (std::uint32_t voxel = 0; voxel < light.irradiance.values.size(); ++voxel) {
+        const glm::vec3 whole = light.irradiance.values[voxel], direction = light.lightDirection.values[voxel];
+        if (voxel / std::uint32_t(light.lattice.size.x) % 4 < 2) {
+            light.lobes.voxels.push_back(voxel);
+            const LightLobe third{voxel % 2 == 0 ? 0.1f * whole : glm::vec3(0.0f), glm::vec3(0.0f, 0.5f, 0.5f)};
+            light.lobes.rows.push_back(
+                {LightLobe{0.6f * whole, direction}, LightLobe{0.3f * whole, glm::vec3(0.9f, 0.1f, 0.0f)}, third});
+        }
+    }
+}
+
+TEST(ImageReference, AgreesOnLightOfSeveralLobes) {
+    Setting setting = glassInSmoke();
+    giveLobes(setting.light);
+    expectAgreement(setting, kRounding);
 }
 
 TEST(ImageReference, AgreesWithACameraInsideGlass) {

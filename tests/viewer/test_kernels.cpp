@@ -14,12 +14,15 @@ using test::KernelVariant;
 std::vector<KernelVariant> variants() {
     const std::vector<std::string> switches = {
         "EFFECT_REFRACTION", "EFFECT_ABSORPTION",  "EFFECT_SCATTERING", "EFFECT_EMISSION", "EFFECT_REFLECTION",
-        "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "MANUAL_FILTERING"};
+        "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "STRAIGHT_FLIGHTS",
+        "LIGHT_LOBES",       "MANUAL_FILTERING"};
     std::vector<KernelVariant> rows = {{"viewer/accumulate.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_REINHARD"}},
                                        {"gpu/linear_filtering.comp.glsl", {}}};
+    rows.push_back({"bench/dependent_fetch.comp.glsl", {"EFFECT_REFRACTION"}});
+    rows.push_back({"bench/dependent_fetch.comp.glsl", {"EFFECT_REFRACTION", "MANUAL_FILTERING"}});
     auto subsets = test::tellingSubsets(switches);
     auto all = switches;
     all.push_back("EFFECT_DISPERSION");
@@ -33,6 +36,13 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/shade.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
+    }
+    for (const std::vector<std::string>& look : std::vector<std::vector<std::string>>{
+             {"TONE_AGX"}, {"TONE_REINHARD"}, {"LOOK_RADIANCE"}, {"LOOK_STEPS"}, {"LOOK_SLICE"},
+             {"LOOK_SLICE", "LOOK_DIRECTION"}, {"LOOK_SLICE", "LOOK_INDEX"}}) {
+        rows.push_back(test::variant("viewer/picture.comp.glsl", look));
+        rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"EFFECT_REFRACTION", "BAKED_LIGHT"}));
+        rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"BAKED_LIGHT", "MANUAL_FILTERING"}));
     }
     return rows;
 }

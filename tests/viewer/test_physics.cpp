@@ -99,6 +99,18 @@ TEST(PhaseFunction, IntegratesToOneWithMeanCosineG) {
     }
 }
 
+TEST(PhaseFunction, OfFluxErrsAsPredictedWhereTwoBeamsCross) {
+    const double spread = 1e-5;  // 1 - |F|/E of two equal beams; the next order is 24 times it at g = 0.7
+    for (const double g : {0.3, 0.7, -0.5}) {
+        const double ahead = g < 0.0 ? -1.0 : 1.0;  // where p is largest
+        const double exact = f64::henyeyGreenstein(ahead * (1.0 - spread), g);
+        const double ofFlux = f64::phaseOfFlux({0.0, 0.0, -ahead}, {0.0, 0.0, 1.0 - spread}, g);
+        const double error = std::abs(exact - ofFlux) / f64::henyeyGreenstein(ahead, g);
+        EXPECT_NEAR(error / spread, f64::phaseErrorPerSpread(g), 1e-3 * f64::phaseErrorPerSpread(g)) << g;
+    }
+    EXPECT_EQ(f64::phaseErrorPerSpread(0.0), 0.0);
+}
+
 TEST(PhaseFunction, OfCrossingSheetsKeepsTheMeanCosine) {
     const glm::dvec3 flux(0.0, 0.0, 0.5);
     EXPECT_DOUBLE_EQ(f64::phaseOfFlux({0.0, 0.0, -1.0}, flux, 0.8), f64::henyeyGreenstein(1.0, 0.4));

@@ -1,4 +1,5 @@
 // Images against closed forms (docs/physics.md, sections 4 to 6).
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -60,7 +61,8 @@ TEST(Render, FresnelDimsTheMiddleOfASphereByTwoCrossings) {
     Fields fields = test::sphereFields(test::cube(64, 1.0), 0.7, 1.5, 1.5 / 32.0);
     const Scene scene = test::plainScene(glm::dvec3(1.0), 30.0, 0.2, 1);
     const RenderResult image = rendered(scene, fields);
-    EXPECT_NEAR(image.channel("throughput.G").values[0], 0.96 * 0.96, 2e-3);
+    // The indices of a crossing are those of the last samples beside the band, a few 1e-3 off the glass's own.
+    EXPECT_NEAR(image.channel("throughput.G").values[0], 0.96 * 0.96, 3e-3);
 }
 
 TEST(Render, RaysThatGrazeABoundaryLoseNothing) {
@@ -138,6 +140,30 @@ TEST(Render, ScatteringSlabAgreesWithTheClosedForm) {
     EXPECT_NEAR(image.radiance(0, 0).g, exact, 0.02 * exact);
 }
 
+TEST(Render, CrossingBeamsInFogAgreeWithTheClosedForm) {
+    const Lattice lattice = test::cube(32, 1.0);
+    const double thickness = 0.8, sigma = 1.5, g = 0.7;
+    Fields fields = test::uniformFields(lattice);
+    fields.sigmaS = test::boxGrid(lattice, {-1.0, -1.0, -0.4}, {1.0, 1.0, 0.4}, glm::vec3(float(sigma)));
+    fields.anisotropy = DenseGrid<float>(lattice.size, float(g));
+    const glm::dvec3 first = glm::normalize(glm::dvec3(1.0, 0.0, 0.8)), second = glm::normalize(glm::dvec3(-1.0, 0.3, 0.2));
+    BakedLight bake = constantLight(lattice, glm::vec3(3.0f), glm::vec3((2.0 * first + second) / 3.0));
+    const Scene scene = test::plainScene(glm::dvec3(0.0), 30.0, 0.5, 1);
+    const double ofMean = rendered(scene, fields, &bake).radiance(0, 0).g;
+    for (std::uint32_t voxel = 0; voxel < lattice.count(); ++voxel) {
+        bake.lobes.voxels.push_back(voxel);
+        bake.lobes.rows.push_back(
+            {LightLobe{glm::vec3(2.0f), glm::vec3(first)}, LightLobe{glm::vec3(1.0f), glm::vec3(second)}});
+    }
+    const double exact = (2.0 * f64::henyeyGreenstein(first.z, g) + f64::henyeyGreenstein(second.z, g)) *
+                         (1.0 - std::exp(-sigma * thickness));
+    const RenderResult image = rendered(scene, fields, &bake);
+    EXPECT_NEAR(image.radiance(0, 0).g, exact, 0.02 * exact);  // as much as a slab under one beam
+    EXPECT_GT(std::abs(ofMean - exact), 0.2 * exact);          // one direction in place of two is that far off
+    const auto& textures = image.statistics.textures;
+    EXPECT_TRUE(std::any_of(textures.begin(), textures.end(), [](const auto& row) { return row.first == "lobes"; }));
+}
+
 TEST(Render, LightScatteredInGlassIsDimmerByTheSquareOfTheIndex) {
     const Lattice lattice = test::cube(64, 1.0);
     const double n = 1.5;
@@ -198,6 +224,8 @@ TEST(Render, OpaqueSurfaceShowsItsIrradiance) {
     const BakedLight bake = constantLight(lattice, glm::vec3(2.0f), glm::vec3(0.0f, 0.6f, -0.8f));
     const RenderResult lit = rendered(test::plainScene(glm::dvec3(0.0), 30.0, 0.5, 1), fields, &bake);
     EXPECT_NEAR(lit.radiance(0, 0).r, 0.5 / 3.14159265 * 2.0 * 0.8, 1e-3);
+    EXPECT_NEAR(lit.channel("N.Z").values[0], 1.0, 1e-6);
+    EXPECT_NEAR(lit.channel("N.X").values[0], 0.0, 1e-6);
     const RenderResult ambient = rendered(test::plainScene(glm::dvec3(0.7), 30.0, 0.5, 1), fields);
     EXPECT_NEAR(ambient.radiance(0, 0).g, 0.25 * 0.7, 1e-3);
 }

@@ -30,6 +30,13 @@ mat3 derivativesIn(Trilinear map, vec3 q) {
                 map.c001 + map.c101 * q.x + (map.c011 + map.c111 * q.x) * q.y);
 }
 
+// How long the image of the cube is along u, v and t, at most.
+vec3 lengthsOf(Trilinear map) {
+    mat3 d = derivativesIn(map, vec3(0.5));
+    return vec3(length(d[0]) + length(map.c110) + length(map.c101), length(d[1]) + length(map.c110) + length(map.c011),
+                length(d[2]));
+}
+
 // Which part of a cell: see shared/tube_blocks.h.
 struct Part {
     uint cell;

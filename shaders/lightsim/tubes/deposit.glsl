@@ -1,25 +1,6 @@
 // What both deposits of parts of cells share: the parts, the sums, and the light at a place of a cell.
-#include "lightsim/tubes/tubes.glsl"
-#include "lightsim/tubes/cell.glsl"
+#include "lightsim/tubes/records.glsl"
 #include "lightsim/sums.glsl"
-
-layout(std430, binding = TUBE_RECORDS_BINDING) readonly buffer RecordBlock { TubeCell cells[]; };
-layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
-    TubePartsHeader header;
-    uint parts[];
-};
-
-Trilinear mapOf(uint cell) {
-    vec3 x[8];
-    for (int i = 0; i < 8; ++i) {
-        x[i] = cells[cell].corners[i].xyz;
-    }
-    return trilinearOf(x);
-}
-
-uint listedPart(uint list, uint index) {
-    return parts[list * TUBE_LIST_PARTS + index];
-}
 
 // Power x arc length of the steps [voxels] at the corners of a cell, by band, in units of the sums.
 struct CornerLight {
@@ -64,11 +45,6 @@ vec3 between(vec3 first, vec3 last, float t) {
 vec3 powerLengthAt(CornerLight light, vec3 at) {
     return between(bilinear(light.powerLength[0], light.powerLength[1], light.powerLength[2], light.powerLength[3], at.xy),
                    bilinear(light.powerLength[4], light.powerLength[5], light.powerLength[6], light.powerLength[7], at.xy), at.z);
-}
-
-// Place in the cell of a place in one of its parts.
-vec3 placeInCell(Part part, vec3 q) {
-    return (vec3(part.index) + q) / vec3(part.cuts);
 }
 
 vec3 unitOf(vec3 v) {

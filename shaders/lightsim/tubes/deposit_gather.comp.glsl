@@ -47,6 +47,9 @@ Light gathered(Part part, CornerLight corners, Trilinear map, mat3 inverseMiddle
         vec3 q = invertedIn(map, x, guess + 0.5);
         if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0)))) {
             vec3 place = placeInCell(part, q);
+            if (!isPastMirror(part.cell, place)) {
+                continue;
+            }
             mat3 d = derivativesIn(map, q);
             float own = abs(determinant(d)) * float(part.cuts.x * part.cuts.y * part.cuts.z);
             vec3 powerLength = powerLengthAt(corners, place) / (volumeAt(part.cell, place, own) * float(n * n * n));
@@ -85,7 +88,7 @@ void main() {
     vec3 voxelReach = 0.5 * vec3(dot(abs(rows[0]), vec3(1.0)), dot(abs(rows[1]), vec3(1.0)), dot(abs(rows[2]), vec3(1.0)));
     for (int i = 0; i < count.x * count.y * count.z; ++i) {
         ivec3 voxel = first + ivec3(i % count.x, i / count.x % count.y, i / (count.x * count.y));
-        if (any(greaterThan(abs(inverseMiddle * (vec3(voxel) + 0.5 - middle)), voxelReach + kFarOut))) {
+        if (!takesLight(voxel) || any(greaterThan(abs(inverseMiddle * (vec3(voxel) + 0.5 - middle)), voxelReach + kFarOut))) {
             continue;
         }
         Light light = gathered(part, corners, map, inverseMiddle, middle, voxel);

@@ -20,9 +20,7 @@ void main() {
     }
     Part part = unpackedPart(listedPart(TUBE_POINT_LIST, gl_GlobalInvocationID.x));
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
-    mat3 d = derivativesIn(map, vec3(0.5));
-    vec3 extents = vec3(length(d[0]) + length(map.c110) + length(map.c101), length(d[1]) + length(map.c110) + length(map.c011),
-                        length(d[2]));
+    vec3 extents = lengthsOf(map);
     CornerLight corners = cornerLightOf(part.cell);
     float cut = 1.0 / float(part.cuts.x * part.cuts.y * part.cuts.z);
     ivec3 counts = pointsFor(extents, largestOf(powerLengthAt(corners, placeInCell(part, vec3(0.5)))) * cut,
@@ -33,6 +31,9 @@ void main() {
     vec3 flux = vec3(0.0);
     for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
         vec3 q = (vec3(ivec3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y))) + 0.5) / vec3(counts);
+        if (!isPastMirror(part.cell, placeInCell(part, q))) {
+            continue;
+        }
         ivec3 voxel = ivec3(floor(placeIn(map, q)));
         if (voxel != current) {
             addWhereInside(current, powerLength, flux);

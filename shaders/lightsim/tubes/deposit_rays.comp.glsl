@@ -24,6 +24,8 @@ void main() {
     Part part = unpackedPart(listedPart(TUBE_RAY_LIST, gl_GlobalInvocationID.x));
     CornerLight light = cornerLightOf(part.cell);
     int corner = part.index.x;
-    depositRay(cells[part.cell].corners[corner].xyz, cells[part.cell].corners[corner + 4].xyz,
-               between(light.powerLength[corner], light.powerLength[corner + 4], 0.5) / float(part.cuts.x));
+    vec3 to = cells[part.cell].corners[corner + 4].xyz;
+    float hidden = partBeforeMirror(part.cell, corner);
+    depositRay(mix(cells[part.cell].corners[corner].xyz, to, hidden), to,
+               between(light.powerLength[corner], light.powerLength[corner + 4], 0.5) * ((1.0 - hidden) / float(part.cuts.x)));
 }

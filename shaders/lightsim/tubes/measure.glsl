@@ -14,6 +14,15 @@ struct Expectation {
     float extent;     // distance between the neighbours [scene units]
 };
 
+// Whether a sample belongs to a ray that light has come along, not to its image before a mirror.
+bool isReal(uint place) {
+#ifdef FOLLOW_REFLECTIONS
+    return shares[place].w >= 0.0;
+#else
+    return true;
+#endif
+}
+
 // Whether rays are spread unevenly between two neighbours: that is by how much irradiance changes between them. It does not
 // matter within a voxel, and a front that is curved alike everywhere is even.
 bool isUneven(vec3 deviation, Expectation expected) {

@@ -24,10 +24,12 @@ void main() {
     for (int k = 0; k < TUBE_SAMPLES; ++k) {
         uint first = trackOf(edge.first) + uint(k);
         uint second = trackOf(edge.second) + uint(k);
+        uint middle = trackOf(edge.middle) + uint(k);
         vec3 a = positions[first].xyz;
         vec3 b = positions[second].xyz;
-        if (withinDomain(a, domainVoxel) || withinDomain(b, domainVoxel) ||
-            withinDomain(positions[trackOf(edge.middle) + uint(k)].xyz, domainVoxel)) {
+        bool isInside = withinDomain(a, domainVoxel) || withinDomain(b, domainVoxel) ||
+                        withinDomain(positions[middle].xyz, domainVoxel);
+        if (isInside && (isReal(first) || isReal(second) || isReal(middle))) {
             Expectation expected = Expectation(0.5 * (a + b), 0.5 * (shares[first].rgb + shares[second].rgb),
                                                b - a, evenShift, distance(a, b));
             measureSample(edge.middle, k, expected, power, measure);

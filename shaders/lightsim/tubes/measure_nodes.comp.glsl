@@ -47,7 +47,8 @@ void main() {
     vec3 power = frame.strength * dot(launchShare, vec4(1.0));
     TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(0u), launchShare);
     for (int k = 0; k < TUBE_SAMPLES; ++k) {
-        if (withinDomain(positions[trackOf(node.vertices[kCentre]) + uint(k)].xyz, domainVoxel)) {
+        uint centre = trackOf(node.vertices[kCentre]) + uint(k);
+        if (withinDomain(positions[centre].xyz, domainVoxel) && isReal(centre)) {
             measureSample(node.vertices[kCentre], k, expectedCentre(node, k), power, measure);
         }
     }

@@ -44,6 +44,9 @@ TubeCell cellOf(TubeJob job, uint quarter) {
         cell.shares[i] = shares[track + first];
         cell.shares[i + 4u] = shares[track + last];
     }
+    float pathBefore = frames[node.frameIndex].pathBefore + float(tube.firstStep) * settings.opticalStep;
+    cell.corners[0].w = pathBefore + float(first) * settings.opticalStep;
+    cell.corners[1].w = pathBefore + float(last) * settings.opticalStep;
     cell.volumes = volumesOf(node, cell, quarter, first, last);
     cell.power = frames[node.frameIndex].strength * node.launchShare[quarter];
     cell.pointPower = kPointShare * frames[node.frameIndex].splitPower;

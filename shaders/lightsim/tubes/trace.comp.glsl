@@ -30,6 +30,26 @@ Particle stepped(Particle ray, uint stepCount, inout uint evaluations) {
     return after;
 }
 
+#ifdef FOLLOW_REFLECTIONS
+#include "lightsim/tubes/mirrors.glsl"
+#else
+Particle launched(uint self, inout uint evaluations) {
+    return particleAtLaunch(frames[vertices[self].frameIndex], vertices[self].launch);
+}
+
+void countReflection(uint self, Particle before, Particle after) {}
+
+// Whether what the ray carries is on its way through the domain or close to it.
+bool isNear(Particle ray) {
+    return withinDomain(ray.x, tube.nearMargin);
+}
+
+// Steps since the ray's last mirror; negative before it.
+float stepsSinceMirror(Particle ray, uint stepCount) {
+    return 0.0;
+}
+#endif
+
 vec3 shareLeft(Particle ray) {
     return ray.status == PARTICLE_BLOCKED ? vec3(0.0) : remainingShare(ray);
 }
@@ -43,9 +63,9 @@ bool isBent(Particle before, Particle after) {
     return after.w != before.w || after.status != before.status || changed;
 }
 
-void record(uint place, Particle ray) {
+void record(uint place, Particle ray, uint stepCount) {
     positions[place] = vec4(ray.x, ray.arcLength);
-    shares[place] = vec4(shareLeft(ray), 0.0);
+    shares[place] = vec4(shareLeft(ray), stepsSinceMirror(ray, stepCount));
 }
 
 void main() {
@@ -59,27 +79,30 @@ void main() {
     uint evaluations = 0u;
     Particle ray = vertices[self].ray;
     if (stepCount == TUBE_NOT_LAUNCHED) {
-        ray = particleAtLaunch(frames[vertices[self].frameIndex], vertices[self].launch);
+        ray = launched(self, evaluations);
         for (stepCount = 0u; stepCount < tube.firstStep; ++stepCount) {
+            Particle before = ray;
             ray = stepped(ray, stepCount, evaluations);
+            countReflection(self, before, ray);
         }
-        record(track, ray);
+        record(track, ray, stepCount);
     } else {
         // where the front of the window before was made to conform, this one begins
         positions[track] = positions[track + uint(TUBE_STEPS)];
         shares[track] = shares[track + uint(TUBE_STEPS)];
     }
     TubePresence presence = TubePresence(uvec2(0u), uvec2(0u), 0u, 0.0, 0u, 0u);
-    bool nearBefore = withinDomain(ray.x, tube.nearMargin);
+    bool nearBefore = isNear(ray);
     for (int k = 0; k < TUBE_STEPS; ++k) {
         Particle before = ray;
         ray = stepped(ray, stepCount, evaluations);
+        countReflection(self, before, ray);
         ++stepCount;
         if (isBent(before, ray)) {
             presence.bent |= sampleBit(k);
         }
-        record(track + uint(k + 1), ray);
-        bool nearNow = withinDomain(ray.x, tube.nearMargin);
+        record(track + uint(k + 1), ray, stepCount);
+        bool nearNow = isNear(ray);
         if (nearBefore || nearNow) {
             presence.near |= sampleBit(k);
         }

@@ -1,0 +1,23 @@
+#pragma once
+// Shaders compiled and linked, for the objects that own programs.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+namespace eikonal::gpu {
+
+/// A shader by its kind (GL_COMPUTE_SHADER, ...) and its name below shaders/.
+struct ShaderStage {
+    GLenum kind;
+    std::string_view name;
+};
+
+/// A program labelled with its last stage's name; the caller deletes it. Throws std::logic_error with the log where a stage
+/// does not compile or link: a broken program.
+GLuint linkedProgram(const std::vector<ShaderStage>& stages, const std::vector<std::string>& defines);
+
+} // namespace eikonal::gpu

@@ -1,0 +1,24 @@
+// Nothing but trilinear fetches, each at a place that the one before decides: the rate that marching would have if all but
+// its evaluations of the index were free. Along the rays' first directions, a step apart.
+#include "viewer/ray_states.glsl"
+#include "fields/fields.glsl"
+
+layout(local_size_x = kRaysPerGroup) in;
+
+// Makes the next place depend on the value and moves it by less than a float tells.
+const float kNearlyNothing = 1e-12;
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= rayCount || rays[index].status != kMarching) {
+        return;
+    }
+    vec3 x = (rays[index].x - domainMin) * domainScale;
+    vec3 step = unitDirection(rays[index]) * stepLength * domainScale;
+    vec4 texel = vec4(0.0);
+    for (uint i = 0u; i < stepsPerSlice; ++i) {
+        x += step + kNearlyNothing * texel.rgb;
+        texel = sampleTrilinear(opticsGrid, x);
+    }
+    rays[index].radiance = texel.rgb;
+}

@@ -1,0 +1,28 @@
+// The cells that are deposited, and the lists of their parts.
+#include "lightsim/tubes/tubes.glsl"
+#include "lightsim/tubes/cell.glsl"
+
+layout(std430, binding = TUBE_RECORDS_BINDING) readonly buffer RecordBlock { TubeCell cells[]; };
+layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
+    TubePartsHeader header;
+    uint parts[];
+};
+
+#include "lightsim/tubes/mirror_cut.glsl"
+
+Trilinear mapOf(uint cell) {
+    vec3 x[8];
+    for (int i = 0; i < 8; ++i) {
+        x[i] = cells[cell].corners[i].xyz;
+    }
+    return trilinearOf(x);
+}
+
+uint listedPart(uint list, uint index) {
+    return parts[list * TUBE_LIST_PARTS + index];
+}
+
+// Place in the cell of a place in one of its parts.
+vec3 placeInCell(Part part, vec3 q) {
+    return (vec3(part.index) + q) / vec3(part.cuts);
+}

@@ -1,0 +1,10 @@
+// Euler's method, as in 2007: dx/ds = w/n, dw/ds = grad n, both where the step begins. First order; one evaluation.
+
+RayStep stepEuler(Ray ray, real ds) {
+    Optics start = sampleOptics(ray.x);
+    RayStep taken;
+    taken.ray.x = ray.x + ray.w * (ds / start.n);
+    taken.ray.w = ray.w + start.gradN * ds;
+    taken.opticalLength = start.n * ds;
+    return taken;
+}

@@ -1,0 +1,45 @@
+// Steps near the faces of the domain: the last one is cut there.
+
+bool outside(vec3 x) {
+    return any(lessThan(x, domainMin)) || any(greaterThan(x, domainMax));
+}
+
+// Whether a step from x stays inside, whatever its direction.
+bool farFromFaces(vec3 x) {
+    vec3 room = min(x - domainMin, domainMax - x);
+    return min(room.x, min(room.y, room.z)) > 1.001 * stepLength;
+}
+
+float distanceToFace(RayState ray) {
+    return distanceToExit(ray.x, unitDirection(ray), domainMin, domainMax);
+}
+
+// Length of the next step: the last one ends at the face, so that it turns the ray by no more than it goes. It may be as
+// short as kShortestStep of the usual one; below that the ray is taken to stand on the face.
+const float kShortestStep = 1e-3;
+
+float nextStepLength(RayState ray) {
+    if (!outside(driftByLength(Ray(ray.x, ray.w), stepLength).x)) {
+        return stepLength;
+    }
+    return clamp(distanceToFace(ray), kShortestStep * stepLength, stepLength);
+}
+
+// Moves the ray straight on, to the face of the domain at most; the length it went.
+float drift(inout RayState ray, float ds) {
+    vec3 moved = driftByLength(Ray(ray.x, ray.w), ds).x;
+    float went = ds;
+    if (outside(moved)) {
+        went = min(distanceToFace(ray), ds);
+        moved = clamp(driftByLength(Ray(ray.x, ray.w), went).x, domainMin, domainMax);
+        ray.status = kExited;
+    }
+    ray.x = moved;
+    return went;
+}
+
+// The second drift of the last step goes on to the face, which the turn has moved a little nearer or farther.
+float lastDrift(inout RayState ray, float ds) {
+    float toFace = distanceToFace(ray);
+    return drift(ray, toFace < 2.0 * ds ? 1.001 * toFace + kShortestStep * stepLength : ds);
+}

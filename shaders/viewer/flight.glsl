@@ -1,0 +1,114 @@
+// Straight flights: where nothing bends a ray or stops it, it goes in one piece to where something may
+// (docs/physics.md, section 1).
+#include "shared/brick.h"
+
+#ifdef STRAIGHT_FLIGHTS
+
+layout(binding = kUnitClearance) uniform sampler3D clearanceGrid;
+
+// How far ahead [scene units] the ray's surroundings are alike.
+struct Clearance {
+    bool straight;  // nothing bends or stops the ray; else something may
+    float reach;    // of which that holds
+    float even;     // nor do matter or its light change; 0: they may
+};
+
+// Flights end this far inside the next brick, so that the next look-up is there.
+const float kBeyondBrick = 1e-3;    // voxels
+// Matter that varies is sampled once a voxel, this often before the ray looks about again.
+const int kSamplesPerFlight = 16;
+
+// Clearances are Chebyshev distances in bricks: the box that reaches so many bricks less one beyond x's own is free.
+float distanceInClear(float bricks, vec3 brick, vec3 x, vec3 direction) {
+    float edge = float(kBrickVoxels) * domainVoxel;
+    vec3 low = domainMin + (brick - (bricks - 1.0)) * edge;
+    return distanceToExit(x, direction, low, low + (2.0 * bricks - 1.0) * edge);
+}
+
+// Outside the box of all that is not vacuum a ray goes to it, or away for ever.
+Clearance clearanceAhead(vec3 x, vec3 direction) {
+    BoxSpan content = boxSpan(x, direction, contentMin, contentMax);
+    bool never = content.leave <= max(content.enter, 0.0);
+    if (never || content.enter > 0.0) {
+        float free = never ? 1.0e30 : content.enter;
+        return Clearance(true, free, free);
+    }
+    ivec3 brick = ivec3(floor((x - domainMin) / (float(kBrickVoxels) * domainVoxel)));
+    brick = clamp(brick, ivec3(0), textureSize(clearanceGrid, 0) - 1);
+    vec2 bricks = round(255.0 * texelFetch(clearanceGrid, brick, 0).rg);
+    float even = bricks.g > 0.0 ? distanceInClear(bricks.g, vec3(brick), x, direction) : 0.0;
+    return Clearance(bricks.r > 0.0, distanceInClear(max(bricks.r, 1.0), vec3(brick), x, direction), even);
+}
+
+// What matter does along a straight piece, or the beginning of it; the length that was passed. Even matter takes one exact
+// piece, and what varies one sample a voxel.
+float passAhead(inout RayState ray, vec3 direction, float ds, float even) {
+#ifdef MATTER
+    if (even > 0.0) {
+        float passed = min(ds, even);
+        passMatter(ray, ray.x + direction * (0.5 * passed), direction, ray.n, passed);
+        return passed;
+    }
+    int count = max(int(ceil(ds / domainVoxel)), 1);
+    float piece = ds / float(count);
+    int samples = min(count, kSamplesPerFlight);
+    for (int i = 0; i < samples; ++i) {
+        passMatter(ray, ray.x + direction * ((float(i) + 0.5) * piece), direction, ray.n, piece);
+    }
+    return samples == count ? ds : float(samples) * piece;
+#else
+    return ds;
+#endif
+}
+
+// Moves the ray straight on, as far as `ahead` says and matter lets it.
+void fly(inout RayState ray, vec3 direction, Clearance ahead) {
+    float toFace = distanceToExit(ray.x, direction, domainMin, domainMax);
+    float beyond = kBeyondBrick * domainVoxel;
+    float went = passAhead(ray, direction, min(ahead.reach + beyond, toFace),
+                           ahead.even > 0.0 ? ahead.even + beyond : 0.0);
+    ray.x = clamp(ray.x + direction * went, domainMin, domainMax);
+    ray.pathLength += went;
+    ray.opticalLength += ray.n * went;
+    ray.status = went >= toFace ? kExited : kMarching;
+}
+
+// Whether it is worth looking about: not where the ray has just been bent, is crossing a boundary, or knows already that it
+// may be bent.
+bool looksAhead(RayState ray) {
+    return ray.pathLength >= ray.lookAgainAt && ray.crossingGradMax == 0.0;
+}
+
+// Flights, at most `left` of them, until the ray is where it must step.
+void flyAhead(inout RayState ray, inout uint left) {
+    while (left > 0u && ray.status == kMarching && looksAhead(ray)) {
+        vec3 direction = unitDirection(ray);
+        Clearance ahead = clearanceAhead(ray.x, direction);
+        ray.lookUps += 1u;
+        if (ahead.straight) {
+            fly(ray, direction, ahead);
+            left -= 1u;
+        } else {
+            ray.lookAgainAt = ray.pathLength + ahead.reach + kBeyondBrick * domainVoxel;
+        }
+        endRay(ray);
+    }
+}
+
+// After an evaluation in the middle of a step of length ds: where the index varies, the step's end is no place to look.
+void noteBend(inout RayState ray, vec3 gradN, float ds) {
+    if (dot(gradN, gradN) > negligibleGradient * negligibleGradient) {
+        ray.lookAgainAt = max(ray.lookAgainAt, ray.pathLength + 1.01 * ds);
+    }
+}
+
+#else
+
+bool looksAhead(RayState ray) {
+    return false;
+}
+
+void flyAhead(inout RayState ray, inout uint left) {}
+void noteBend(inout RayState ray, vec3 gradN, float ds) {}
+
+#endif

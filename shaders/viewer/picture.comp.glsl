@@ -1,0 +1,74 @@
+// The film as a texture for the screen: tone-mapped, or in false colour by one of the ways to look.
+#include "physics/tone.glsl"
+#include "shared/view_blocks.h"
+#include "shared/look_block.h"
+#include "fields/fields.glsl"
+#include "viewer/light.glsl"
+#include "viewer/false_color.glsl"
+
+layout(local_size_x = kRaysPerGroup) in;
+
+layout(std430, binding = kStorageFilm) readonly buffer Film { FilmPixel film[]; };
+layout(rgba8, binding = kImagePicture) writeonly uniform image2D picture;
+
+vec3 displayed(vec3 radiance) {
+    vec3 exposed = radiance * exposureScale;
+#if defined(TONE_AGX)
+    exposed = toneAgx(exposed);
+#elif defined(TONE_REINHARD)
+    exposed = toneReinhard(exposed);
+#endif
+    return srgbEncoded3(exposed);
+}
+
+float onScale(float value) {
+    return (value - lowest) / (highest - lowest);
+}
+
+#ifdef LOOK_SLICE
+
+// The value of the grid that is looked at.
+vec3 sliceColor(vec3 x) {
+#if defined(LOOK_INDEX)
+    return turbo(onScale(sampleOptics(x).n));
+#elif defined(LOOK_DIRECTION) && defined(BAKED_LIGHT)
+    return 0.5 + 0.5 * sampleLightDirection(x);
+#elif defined(BAKED_LIGHT)
+    return turbo(onScale(log2(max(dot(sampleIrradiance(x), vec3(1.0 / 3.0)), 1e-20))));
+#else
+    return vec3(0.0);
+#endif
+}
+
+// A straight look at the plane, over the picture dimmed.
+vec3 sliceOver(vec3 behind, ivec2 pixel) {
+    vec2 screen = 2.0 * (vec2(pixel) + 0.5) / vec2(imageSize) - 1.0;
+    vec3 ray = cameraForward + cameraRight * screen.x - cameraUp * screen.y;
+    float along = (slicePosition - cameraPosition[sliceAxis]) / ray[sliceAxis];
+    vec3 x = cameraPosition + along * ray;
+    bool hit = along > 0.0 && all(greaterThanEqual(x, domainMin)) && all(lessThanEqual(x, domainMax));
+    return hit ? sliceColor(x) : 0.25 * behind;
+}
+
+#endif
+
+vec3 pictureColor(FilmPixel pixel, ivec2 at) {
+#if defined(LOOK_STEPS)
+    return turbo(onScale(pixel.steps));
+#elif defined(LOOK_RADIANCE)
+    return turbo(onScale(log2(max(dot(pixel.radiance, vec3(1.0 / 3.0)), 1e-20))));
+#elif defined(LOOK_SLICE)
+    return sliceOver(displayed(pixel.radiance), at);
+#else
+    return displayed(pixel.radiance);
+#endif
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (index >= rayCount) {
+        return;
+    }
+    ivec2 pixel = ivec2(int(index) % tileSize.x, int(index) / tileSize.x);
+    imageStore(picture, pixel, vec4(pictureColor(film[index], pixel), 1.0));
+}

@@ -1,0 +1,96 @@
+#include "tools/bench/bench_effects.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "common/fields.h"
+#include "common/gpu/context.h"
+#include "common/interrupt.h"
+#include "common/output_file.h"
+#include "lightsim/bake.h"
+#include "tools/bench/bar_chart.h"
+#include "tools/bench/effect_ladder.h"
+#include "tools/scene_arguments.h"
+#include "tools/terminal.h"
+
+namespace eikonal {
+
+namespace {
+
+struct LadderArguments {
+    SceneArguments scene;
+    std::string output;  ///< empty: stdout
+    std::string svg;
+    int repeats = 3;
+};
+
+std::string ladderSvg(const std::vector<bench::Rung>& rungs, const std::string& scene) {
+    std::vector<bench::Bar> bars;
+    for (const bench::Rung& rung : rungs) {
+        const std::string label = bars.empty() ? rung.added : "+ " + rung.added;
+        bars.push_back({label, rung.seconds,
+                        fmt::format("{:.2f} s, {:.1f} M fetches", rung.seconds, 1e-6 * double(rung.fetches))});
+    }
+    return bench::barChartSvg("Seconds of an image, effect by effect: " + scene, bars);
+}
+
+void requireOutputs(const LadderArguments& arguments) {
+    for (const std::string& file : {arguments.output, arguments.svg}) {
+        if (!file.empty()) requireWritable(file);
+    }
+}
+
+void runLadder(const LadderArguments& arguments, const ProgramOptions& options) {
+    requireOutputs(arguments);
+    const Scene scene = sceneOf(arguments.scene);
+    const gpu::Context context = gpu::Context::windowless();
+    Progress progress(options);
+    const Fields fields = composeFields(scene);
+    const EffectSet effects = decideEffects(scene, fields);
+    const auto report = [&](const char* stage) {
+        return [&progress, stage](double fraction) {
+            throwIfInterrupted();
+            progress.update(stage, fraction);
+        };
+    };
+    std::optional<BakedLight> light;
+    if (effects.wantsLight(scene)) {
+        BakeOptions bakeOptions;
+        bakeOptions.progress = report("simulating light");
+        light = bakeScene(context, scene, fields, effects, bakeOptions).light;
+    }
+    const auto rungs = bench::climbLadder(context, scene, fields, effects, light ? &*light : nullptr, arguments.repeats,
+                                          report("rendering"));
+    progress.finish();
+    if (arguments.output.empty()) {
+        std::cout << bench::ladderCsv(rungs);
+    } else {
+        writeFile(arguments.output, bench::ladderCsv(rungs));
+    }
+    if (!arguments.svg.empty()) {
+        writeFile(arguments.svg, ladderSvg(rungs, arguments.scene.file));
+    }
+}
+
+} // namespace
+
+void addBenchEffects(CLI::App& bench, const ProgramOptions& options) {
+    CLI::App* command = bench.add_subcommand("effects", "what each effect adds to the cost of an image");
+    auto arguments = std::make_shared<LadderArguments>();
+    addSceneArguments(*command, arguments->scene);
+    command->add_option("-o,--output", arguments->output, "CSV to write [stdout]")->type_name("FILE.csv");
+    command->add_option("--svg", arguments->svg, "bars of the seconds")->type_name("FILE.svg");
+    addSizeKey(*command, arguments->scene, {"--size", "render.size", "WxH", "pixels [the scene's]"});
+    command->add_option("--repeats", arguments->repeats, "images of each; the shortest time counts")
+        ->capture_default_str()
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000));
+    command->footer("Example:\n  eikonal bench effects volumes/glass_sphere.toml -o ladder.csv --svg ladder.svg");
+    command->callback([arguments, &options] { runLadder(*arguments, options); });
+}
+
+} // namespace eikonal

@@ -1,0 +1,97 @@
+#include "tools/command_view.h"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "common/error.h"
+#include "common/interrupt.h"
+#include "common/output_file.h"
+#include "tools/frame_name.h"
+#include "tools/scene_arguments.h"
+#include "tools/terminal.h"
+#include "viewer/window/turntable.h"
+#include "viewer/window/viewer.h"
+
+namespace eikonal {
+
+namespace {
+
+struct ViewArguments {
+    SceneArguments scene;
+    std::string script, record, out;
+    int frames = 0;
+    double frameMilliseconds = 33.0;
+};
+
+std::string creator() { return fmt::format("{} {}", kCreator, kVersion); }
+
+void runTurntable(const ViewArguments& arguments, const ProgramOptions& program) {
+    if (!hasFrameNumber(arguments.out)) {
+        throw Error(ExitCode::kUsage, fmt::format("--out: expected '#' for the frame's number, as in frames/####.png, found '{}'",
+                                                  arguments.out));
+    }
+    requireWritable(frameName(arguments.out, 0));
+    Progress progress(program);
+    window::TurntableOptions options;
+    options.file = arguments.scene.file;
+    options.overrides = arguments.scene.overrides;
+    options.frames = arguments.frames;
+    options.nameOf = [&](int frame) { return frameName(arguments.out, frame); };
+    options.creator = creator();
+    options.progress = [&progress](std::string_view stage, double fraction) {
+        throwIfInterrupted();
+        progress.update(stage, fraction);
+    };
+    window::writeTurntable(options);
+}
+
+void runWindow(const ViewArguments& arguments) {
+    window::ViewOptions options;
+    options.file = arguments.scene.file;
+    // The window's size, unless --size says otherwise after it.
+    options.overrides.push_back("render.size=[1280, 720]");
+    options.overrides.insert(options.overrides.end(), arguments.scene.overrides.begin(), arguments.scene.overrides.end());
+    options.script = arguments.script;
+    options.record = arguments.record;
+    options.frameSeconds = 1e-3 * arguments.frameMilliseconds;
+    options.creator = creator();
+    options.print = [](const std::string& line) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+    };
+    window::viewScene(options);
+}
+
+} // namespace
+
+void addViewCommand(CLI::App& program, const ProgramOptions& options) {
+    CLI::App* command = program.add_subcommand("view", "a window on a scene: orbit it, drag its lights, change its values");
+    auto arguments = std::make_shared<ViewArguments>();
+    addSceneArguments(*command, arguments->scene);
+    addSizeKey(*command, arguments->scene, {"--size", "render.size", "WxH", "pixels of the window [1280x720]"});
+    command->add_option("--frame-ms", arguments->frameMilliseconds,
+                        "what a frame may take while something moves, in milliseconds [33]")
+        ->type_name("MS")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--script", arguments->script, "replay recorded input (docs/viewer.md)")->type_name("FILE");
+    command->add_option("--record", arguments->record, "write what is done in the window, to replay it")->type_name("FILE");
+    CLI::Option* frames =
+        command->add_option("--frames", arguments->frames, "no window: a turn around the scene in so many images")
+            ->type_name("N")
+            ->check(CLI::PositiveNumber);
+    CLI::Option* out = command->add_option("--out", arguments->out, "names of those images, as in frames/####.png");
+    frames->needs(out);
+    out->needs(frames);
+    command->footer("H in the window lists its keys.\n\nExample:\n  eikonal view volumes/glass_sphere.toml");
+    command->callback([arguments, &options] {
+        if (arguments->frames > 0) {
+            runTurntable(*arguments, options);
+        } else {
+            runWindow(*arguments);
+        }
+    });
+}
+
+} // namespace eikonal

@@ -1,0 +1,197 @@
+#include "viewer/image.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "common/accuracy.h"
+#include "common/environment_map.h"
+#include "common/spectral_fields.h"
+
+namespace eikonal {
+
+namespace {
+
+template <class Row>
+void append(std::vector<Row>& rows, const std::vector<Row>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+}
+
+viewer::EnvironmentLight surroundings(const gpu::Context& context, const Scene& scene, const EffectSet& effects,
+                                      const BakedLight* bake) {
+    const auto map = effects.has(Effect::kEnvironment) ? environmentImage(scene) : std::nullopt;
+    // An environment that lights the bake is in its irradiance already.
+    const bool ambient =
+        effects.has(Effect::kOpaque) && effects.has(Effect::kEnvironment) && !(bake && scene.environment.bake);
+    return {context, scene.environment, map ? &*map : nullptr, ambient};
+}
+
+std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const Scene& scene, const Fields& fields,
+                                              const EffectSet& effects, const BakedLight* bake,
+                                              const RenderOptions& options) {
+    if (!options.straightFlights) return std::nullopt;
+    return viewer::Clearance(context, fields, effects,
+                             {.tolerance = scene.accuracy.tolerance, .lit = bake != nullptr});
+}
+
+bool hasGreyMatter(const Fields& fields) {
+    return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
+}
+
+} // namespace
+
+ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& scene, const Fields& fields,
+                                   const EffectSet& effects, const BakedLight* bake, const RenderOptions& options)
+    : context_(context), options_(options), lattice_(fields.lattice), camera_(scene.camera),
+      fields_(context, fields, effects), environment_(surroundings(context, scene, effects, bake)),
+      passes_(spectralBandsOf(scene.accuracy, effects), scene.render.samples), hasGreyMatter_(hasGreyMatter(fields)),
+      light_(context, bake, passes_.bandCount()),
+      clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
+      batch_(context, options.tileRays),
+      generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
+      stepVoxels_(stepVoxelsOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
+      toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
+    gpu::ViewBlock& view = batch_.view;
+    view.opaqueOffset = float(lattice_.voxel);
+    view.minThroughput = float(options.minThroughput);
+    environment_.configure(view);
+    configureLight();
+    if (clearance_) clearance_->configure(view);
+    march().configure(view);
+    setExposure(scene.render.exposureEv);
+}
+
+std::vector<std::string> ProgressiveImage::allDefines() const {
+    std::vector<std::string> defines = fields_.defines();
+    append(defines, environment_.defines());
+    append(defines, light_.defines());
+    if (clearance_) append(defines, clearance_->defines());
+    return defines;
+}
+
+viewer::March& ProgressiveImage::march() {
+    auto found = marches_.find(stepVoxels_);
+    if (found == marches_.end()) {
+        const viewer::MarchSettings settings{stepVoxels_, options_.maxEvaluations, options_.stepsPerSlice};
+        found = marches_.emplace(stepVoxels_, viewer::March(context_, allDefines(), settings, lattice_)).first;
+    }
+    return found->second;
+}
+
+void ProgressiveImage::configureLight() {
+    light_.configure(batch_.view);
+    passes_.configure(batch_.view, light_.isByBand() && !hasGreyMatter_);
+}
+
+void ProgressiveImage::startOver() {
+    sample_ = 0;
+    pixelsDone_ = 0;
+}
+
+void ProgressiveImage::setFrame(const glm::ivec2& size, const viewer::Tile& region) {
+    region_ = region;
+    viewer::configureCamera(batch_.view, camera_, size);
+    accumulate_.reserve(context_, region.pixels());
+    toneMap_.reserve(context_, region.pixels());
+    startOver();
+}
+
+void ProgressiveImage::setCamera(const Camera& camera) {
+    camera_ = camera;
+    viewer::configureCamera(batch_.view, camera, batch_.view.imageSize);
+    startOver();
+}
+
+void ProgressiveImage::setLight(const BakedLight& bake) {
+    assert(!light_.defines().empty());
+    light_ = viewer::Light(context_, &bake, passes_.bandCount());
+    configureLight();
+    startOver();
+}
+
+void ProgressiveImage::setStep(double stepVoxels) {
+    stepVoxels_ = stepVoxels;
+    march().configure(batch_.view);
+    startOver();
+}
+
+void ProgressiveImage::setExposure(double ev) { batch_.view.exposureScale = float(std::exp2(ev)); }
+
+void ProgressiveImage::bind() {
+    fields_.bind();
+    light_.bind();
+    environment_.bind();
+    if (clearance_) clearance_->bind();
+    accumulate_.bind();
+    batch_.bind();
+}
+
+void ProgressiveImage::mark(std::string_view pass) const {
+    if (timer_) timer_->mark(pass);
+}
+
+void ProgressiveImage::runPass(std::size_t pass) {
+    passes_.begin(pass, sample_, batch_.view, fields_, light_);
+    batch_.bind();
+    mark("generate");
+    generate_.run(batch_);
+    mark("march");
+    march().run(batch_);
+    mark("shade");
+    shade_.run(batch_);
+    mark("accumulate");
+    accumulate_.run(batch_);
+}
+
+std::size_t ProgressiveImage::addRays(std::size_t most) {
+    const std::size_t count = std::clamp<std::size_t>(most, 1, options_.tileRays);
+    const viewer::Tile tile = viewer::nextTile(region_, pixelsDone_, count);
+    viewer::configureTile(batch_.view, tile, pixelsDone_);
+    viewer::configureSample(batch_.view, sample_, options_.filter);
+    bind();
+    for (std::size_t pass = 0; pass < passes_.count(); ++pass) {
+        runPass(pass);
+    }
+    mark({});
+    pixelsDone_ += tile.pixels();
+    if (pixelsDone_ == region_.pixels()) {
+        ++sample_;
+        pixelsDone_ = 0;
+    }
+    return tile.pixels();
+}
+
+double ProgressiveImage::sampleProgress() const {
+    return double(pixelsDone_) / double(std::max<std::size_t>(region_.pixels(), 1));
+}
+
+std::vector<glm::vec4> ProgressiveImage::display() {
+    viewer::configureTile(batch_.view, region_, 0);
+    bind();
+    toneMap_.run(batch_);
+    return toneMap_.display(region_.pixels());
+}
+
+void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Texture2D& picture) {
+    viewer::configureTile(batch_.view, region_, 0);
+    passes_.begin(0, sample_, batch_.view, fields_, light_);  // slices show the index at the reference wavelength
+    bind();
+    mark("paint");
+    painter_.run(batch_, look, picture);
+    mark({});
+}
+
+std::vector<std::pair<std::string, std::size_t>> ProgressiveImage::textures() const {
+    auto rows = fields_.textures();
+    append(rows, light_.textures());
+    append(rows, environment_.textures());
+    if (clearance_) append(rows, clearance_->textures());
+    return rows;
+}
+
+std::size_t ProgressiveImage::bufferBytes() const {
+    return batch_.rays.bytes() + accumulate_.filmBytes() + toneMap_.displayBytes();
+}
+
+} // namespace eikonal

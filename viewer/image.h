@@ -1,0 +1,104 @@
+#pragma once
+// An image that grows sample by sample: camera, light and size may change in between, and what does not depend on them
+// stays on the device. Stills and the window are made by this one path.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/baked_light.h"
+#include "common/effects.h"
+#include "common/gpu/pass_timer.h"
+#include "common/gpu_fields.h"
+#include "viewer/accumulate.h"
+#include "viewer/band_passes.h"
+#include "viewer/clearance.h"
+#include "viewer/environment.h"
+#include "viewer/generate.h"
+#include "viewer/light.h"
+#include "viewer/march.h"
+#include "viewer/picture.h"
+#include "viewer/render_options.h"
+#include "viewer/shade.h"
+#include "viewer/tone_map.h"
+
+namespace eikonal {
+
+class ProgressiveImage {
+public:
+    /// Uploads the fields and compiles the kernels of the effects that are on. `bake`: its light, or nullptr for none.
+    /// Throws badInput for an environment map that cannot be read and for grids beyond the device.
+    ProgressiveImage(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
+                     const BakedLight* bake, const RenderOptions& options);
+
+    /// The pixels of `region` within a frame of that size. Starts over, as all that changes what is seen does.
+    void setFrame(const glm::ivec2& size, const viewer::Tile& region);
+    void setCamera(const Camera& camera);
+    /// Another bake, on any lattice. The image must have been made with one.
+    void setLight(const BakedLight& bake);
+    /// Arc length of a step [voxels]. Throws badInput for one that is not positive.
+    void setStep(double stepVoxels);
+    /// Factor 2^ev on what is displayed; the film stays.
+    void setExposure(double ev);
+
+    /// Follows the next rays of the sample under way, at most `most` of them and never more than options.tileRays nor than
+    /// complete the sample. How many they were.
+    std::size_t addRays(std::size_t most);
+    std::size_t mostRays() const { return options_.tileRays; }
+    /// Samples that every pixel has; the film is their mean.
+    int samples() const { return sample_; }
+    /// Share of the sample under way that is done, 0 to 1.
+    double sampleProgress() const;
+
+    const viewer::Tile& region() const { return region_; }
+    const glm::ivec2& frameSize() const { return batch_.view.imageSize; }
+    std::vector<gpu::FilmPixel> film() const { return accumulate_.film(region_.pixels()); }
+    /// One pixel of the region, counted row after row.
+    gpu::FilmPixel filmPixel(std::size_t index) const { return accumulate_.pixel(index); }
+    /// Tone-mapped, sRGB-encoded values of the region.
+    std::vector<glm::vec4> display();
+    /// The region as a texture of its size.
+    void paint(const viewer::LookSettings& look, const gpu::Texture2D& picture);
+    /// Marks the passes of what follows; nullptr: none.
+    void setTimer(gpu::PassTimer* timer) { timer_ = timer; }
+    viewer::RayCounts counts() const { return accumulate_.counts(); }
+    std::vector<std::pair<std::string, std::size_t>> textures() const;
+    std::size_t bufferBytes() const;
+
+private:
+    void startOver();
+    void configureLight();
+    void runPass(std::size_t pass);
+    std::vector<std::string> allDefines() const;
+    viewer::March& march();
+    void bind();
+    void mark(std::string_view pass) const;
+
+    const gpu::Context& context_;
+    RenderOptions options_;
+    Lattice lattice_;
+    Camera camera_;
+    GpuFields fields_;
+    viewer::EnvironmentLight environment_;
+    viewer::BandPasses passes_;
+    bool hasGreyMatter_;
+    viewer::Light light_;
+    std::optional<viewer::Clearance> clearance_;
+    viewer::RayBatch batch_;
+    viewer::Generate generate_;
+    std::map<double, viewer::March> marches_;  ///< by step [voxels]
+    double stepVoxels_;
+    viewer::Shade shade_;
+    viewer::Accumulate accumulate_;
+    viewer::ToneMapper toneMap_;
+    viewer::PicturePainter painter_;
+    gpu::PassTimer* timer_ = nullptr;
+    viewer::Tile region_;
+    int sample_ = 0;
+    std::size_t pixelsDone_ = 0;  ///< of the sample under way
+};
+
+} // namespace eikonal

@@ -1,0 +1,23 @@
+#pragma once
+// What an image needs to know and the scene does not say.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "viewer/view.h"
+
+namespace eikonal {
+
+/// Image size, samples, exposure, tone curve and step come from the scene.
+struct RenderOptions {
+    viewer::PixelFilter filter = viewer::PixelFilter::kBox;
+    bool straightFlights = true;          ///< false: steps through everything, for comparison
+    std::uint32_t maxEvaluations = 0;     ///< of the index field and look-ups by ray; 0: from the domain's size
+    std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes
+    std::size_t tileRays = 1u << 17;      ///< rays under way at a time: bounds the memory
+    double minThroughput = 1e-5;          ///< a ray of which less is left ends
+    std::function<void(double)> progress; ///< called with the fraction done; may throw to stop
+};
+
+} // namespace eikonal

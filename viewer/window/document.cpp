@@ -1,0 +1,111 @@
+#include "viewer/window/document.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <system_error>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "common/accuracy.h"
+#include "common/mesh.h"
+#include "common/scene_toml.h"
+
+namespace eikonal::window {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kMeshExtensions{".obj", ".ply", ".stl", ".gltf", ".glb"};
+
+std::string lowerExtension(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+bool isMesh(const std::filesystem::path& file) {
+    const std::string extension = lowerExtension(file);
+    return std::find(kMeshExtensions.begin(), kMeshExtensions.end(), extension) != kMeshExtensions.end();
+}
+
+std::string vectorText(const glm::dvec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
+
+/// A glass figure in thin smoke under one beam, seen from where it fills the picture.
+std::string sceneTextForMesh(const std::filesystem::path& mesh) {
+    const Bounds bounds = boundsOf(loadMesh(mesh));
+    const glm::dvec3 center = 0.5 * (bounds.min + bounds.max);
+    const glm::dvec3 extent = bounds.max - bounds.min;
+    const double reach = 0.75 * std::max({extent.x, extent.y, extent.z});
+    constexpr double kFovDegrees = 35.0;
+    const double distance = 1.8 * reach / std::tan(glm::radians(0.5 * kFovDegrees));
+    return fmt::format("[domain]\nmin = {}\nmax = {}\nresolution = 64\n[medium]\nscattering = {}\n"
+                       "[[object]]\nmesh = \"{}\"\nior = 1.5\n[[light]]\ntype = \"directional\"\ndirection = [1, -0.5, 0]\n"
+                       "irradiance = [4, 4, 4]\n[environment]\nintensity = 0.15\n[camera]\nposition = {}\nlook_at = {}\nfov = {}\n",
+                       vectorText(center - reach), vectorText(center + reach), 0.25 / reach, mesh.filename().string(),
+                       vectorText(center + distance * glm::normalize(glm::dvec3(0.35, 0.3, 1.0))), vectorText(center),
+                       kFovDegrees);
+}
+
+Scene sceneOf(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    Scene scene = isMesh(file) ? parseScene(sceneTextForMesh(file), file.string(), file.parent_path(), overrides)
+                               : loadScene(file, overrides);
+    requireAvailable(scene);
+    return scene;
+}
+
+} // namespace
+
+Document::Document(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+    : file_(file), overrides_(overrides), scene_(sceneOf(file, overrides)),
+      fields_(std::make_shared<const Fields>(composeFields(scene_))), effects_(decideEffects(scene_, *fields_)),
+      stamps_(stamps()) {}
+
+Redo Document::replace(Scene scene) {
+    const Redo redo = redoFor(scene_, scene);
+    if (redo.fields) fields_ = std::make_shared<const Fields>(composeFields(scene));
+    scene_ = std::move(scene);
+    if (redo.fields || redo.image) effects_ = decideEffects(scene_, *fields_);
+    return redo;
+}
+
+Redo Document::set(const std::string& override) {
+    Scene scene = parseScene(resolvedToml(scene_), scene_.source, scene_.folder, {override});
+    requireAvailable(scene);
+    return replace(std::move(scene));
+}
+
+void Document::reload() {
+    stamps_ = stamps();  // before it is read: what is written meanwhile counts as a change
+    Scene scene = sceneOf(file_, overrides_);
+    auto fields = std::make_shared<const Fields>(composeFields(scene));
+    effects_ = decideEffects(scene, *fields);
+    scene.camera = scene_.camera;
+    scene_ = std::move(scene);
+    fields_ = std::move(fields);
+}
+
+bool Document::filesHaveChanged() {
+    std::vector<Stamp> now = stamps();
+    const bool changed = now != stamps_;
+    stamps_ = std::move(now);
+    return changed;
+}
+
+std::vector<Document::Stamp> Document::stamps() const {
+    std::vector<std::filesystem::path> files{file_};
+    for (const Object& object : scene_.objects) {
+        if (const auto* volume = std::get_if<VolumeShape>(&object.shape)) files.push_back(scene_.resolve(volume->file));
+        if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) files.push_back(scene_.resolve(mesh->file));
+    }
+    if (scene_.environment.image) files.push_back(scene_.resolve(*scene_.environment.image));
+    std::vector<Stamp> stamps;
+    for (const std::filesystem::path& file : files) {
+        std::error_code missing;
+        stamps.emplace_back(file, std::filesystem::last_write_time(file, missing));
+    }
+    return stamps;
+}
+
+} // namespace eikonal::window

@@ -1,0 +1,53 @@
+#pragma once
+// The scene that is open, with what follows from it, and the files that it was made of.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/effects.h"
+#include "common/fields.h"
+#include "common/scene.h"
+#include "viewer/window/redo.h"
+
+namespace eikonal::window {
+
+class Document {
+public:
+    /// A scene, a volume, or a mesh, which gets the surroundings of a bare volume and the index of glass. Throws badInput as
+    /// loadScene and composeFields.
+    Document(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+    const Scene& scene() const { return scene_; }
+    const std::shared_ptr<const Fields>& fields() const { return fields_; }
+    const EffectSet& effects() const { return effects_; }
+    bool wantsLight() const { return effects_.wantsLight(scene_); }
+    const std::filesystem::path& file() const { return file_; }
+
+    void setCamera(const Camera& camera) { scene_.camera = camera; }
+    void setLight(std::size_t index, const Light& light) { scene_.lights[index] = light; }
+    /// Another scene in place of this one, with fields and effects where they depend on what differs.
+    /// Throws badInput as composeFields; the document is then as it was.
+    Redo replace(Scene scene);
+    /// "key.path=value", as --set has it. Throws badInput for what the scene file would refuse; the same then.
+    Redo set(const std::string& override);
+    /// Reads the file again; the camera stays where it is. Throws badInput; the document is then as it was.
+    void reload();
+    /// Whether a file that the scene names, or its own, is another one than when this was last asked.
+    bool filesHaveChanged();
+
+private:
+    using Stamp = std::pair<std::filesystem::path, std::filesystem::file_time_type>;
+    std::vector<Stamp> stamps() const;
+
+    std::filesystem::path file_;
+    std::vector<std::string> overrides_;
+    Scene scene_;
+    std::shared_ptr<const Fields> fields_;
+    EffectSet effects_;
+    std::vector<Stamp> stamps_;
+};
+
+} // namespace eikonal::window

@@ -1,0 +1,156 @@
+#include "viewer/window/live_bake.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <utility>
+
+#include "common/gpu/context.h"
+#include "common/scene_hash.h"
+#include "lightsim/bake.h"
+
+namespace eikonal::window {
+
+namespace {
+
+constexpr int kCoarseResolution = 32;      // voxels along the longest side
+constexpr double kCoarseTolerance = 0.25;
+constexpr std::uint32_t kRaysAtATime = 16384;  // of a fine bake: short batches, between which it can be given up
+
+/// Ends a bake from its progress callback; no failure.
+struct GivenUp {};
+
+Accuracy coarse(Accuracy accuracy) {
+    accuracy.tolerance = std::max(accuracy.tolerance, kCoarseTolerance);
+    return accuracy;
+}
+
+/// What a simulator is made for: all that the bake depends on but the lights.
+std::string simulatorKey(const Scene& scene) {
+    std::string key;
+    for (const auto& [name, text] : bakeKeys(scene)) {
+        if (name.rfind("light.", 0) != 0) key += name + "=" + text + "\n";
+    }
+    return key;
+}
+
+bool isCoarseAlready(const Scene& scene) {
+    return scene.domain.resolution <= kCoarseResolution && scene.accuracy.tolerance >= kCoarseTolerance;
+}
+
+} // namespace
+
+/// Simulators stay while matter stays: what they have on the device depends on it alone.
+struct LiveBake::Worker {
+    LiveBake& owner;
+    gpu::Context context = gpu::Context::windowless();
+    std::shared_ptr<const Fields> fields;
+    std::string key;
+    EffectSet effects;
+    std::optional<Fields> coarseFields;
+    std::unique_ptr<LightSimulator> coarseSimulator, fineSimulator;
+
+    std::unique_ptr<LightSimulator> simulator(const Scene& scene, const Fields& on, bool mayGiveUp) {
+        BakeOptions options;
+        if (mayGiveUp) options.tubeVertices = kRaysAtATime;
+        options.progress = [this, mayGiveUp](double fraction) {
+            owner.progress_ = fraction;
+            if (owner.stop_ || (mayGiveUp && owner.newer_)) throw GivenUp{};
+        };
+        return std::make_unique<LightSimulator>(context, scene, on, effects, options);
+    }
+
+    void prepare(const BakeRequest& request) {
+        coarseSimulator.reset();
+        fineSimulator.reset();
+        fields = request.fields;
+        key = simulatorKey(request.scene);
+        effects = request.effects;
+        if (!isCoarseAlready(request.scene)) {
+            Scene scene = request.scene;
+            scene.domain.resolution = std::min(scene.domain.resolution, kCoarseResolution);
+            scene.accuracy = coarse(scene.accuracy);
+            coarseFields = composeFields(scene);
+            coarseSimulator = simulator(scene, *coarseFields, false);
+        }
+        fineSimulator = simulator(request.scene, *fields, true);
+    }
+
+    void bake(const BakeRequest& request) {
+        if (request.fields != fields || simulatorKey(request.scene) != key) prepare(request);
+        const LightSet lights = lightsAt(lightsOf(request.scene, request.effects), request.frame);
+        if (coarseSimulator) deliver(bakeWith(*coarseSimulator, lights), true);
+        if (!owner.newer_ && !owner.stop_) deliver(bakeWith(*fineSimulator, lights), false);
+    }
+
+    BakeResult bakeWith(LightSimulator& simulator, const LightSet& lights) {
+        owner.progress_ = 0.0;
+        return simulator.bake(lights);
+    }
+
+    void deliver(BakeResult result, bool isCoarse) {
+        const std::lock_guard lock(owner.mutex_);
+        owner.done_ = LiveLight{std::move(result.light), isCoarse, result.statistics.seconds.total};
+    }
+};
+
+LiveBake::LiveBake() : thread_([this] { work(); }) {}
+
+LiveBake::~LiveBake() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void LiveBake::start(BakeRequest request) {
+    {
+        const std::lock_guard lock(mutex_);
+        next_ = std::move(request);
+        newer_ = true;
+        working_ = true;
+    }
+    wake_.notify_one();
+}
+
+std::optional<LiveLight> LiveBake::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(done_, std::nullopt);
+}
+
+std::optional<std::string> LiveBake::takeError() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(error_, std::nullopt);
+}
+
+bool LiveBake::isBusy() const {
+    const std::lock_guard lock(mutex_);
+    return working_ || done_.has_value();
+}
+
+void LiveBake::work() {
+    std::optional<Worker> worker;
+    std::unique_lock lock(mutex_);
+    while (true) {
+        wake_.wait(lock, [&] { return stop_ || next_; });
+        if (stop_) return;
+        const BakeRequest request = *std::exchange(next_, std::nullopt);
+        newer_ = false;
+        lock.unlock();
+        std::optional<std::string> error;
+        try {
+            if (!worker) worker.emplace(Worker{.owner = *this});
+            worker->bake(request);
+        } catch (const GivenUp&) {
+        } catch (const std::exception& failed) {
+            error = failed.what();
+        }
+        lock.lock();
+        if (error) error_ = std::move(error);
+        working_ = next_.has_value();
+    }
+}
+
+} // namespace eikonal::window

@@ -1,0 +1,69 @@
+#pragma once
+// Light that follows the scene: baked on a thread with a context of its own, coarse at first, then as the scene asks.
+// Bakes travel as grids, so that the two contexts share nothing.
+
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "common/baked_light.h"
+#include "common/effects.h"
+#include "common/fields.h"
+#include "common/scene.h"
+
+namespace eikonal::window {
+
+/// What is to be baked. `fields` are those of the scene at its own resolution, shared while matter stays as it is.
+struct BakeRequest {
+    Scene scene;
+    std::shared_ptr<const Fields> fields;
+    EffectSet effects;
+    double frame = 0.0;  ///< of the lights' keyframes
+};
+
+struct LiveLight {
+    BakedLight light;
+    bool coarse = false;
+    double seconds = 0.0;
+};
+
+class LiveBake {
+public:
+    LiveBake();
+    LiveBake(const LiveBake&) = delete;
+    LiveBake& operator=(const LiveBake&) = delete;
+    ~LiveBake();
+
+    /// Bakes for this scene from now on. A coarse bake under way is finished, so that a light that is dragged without a
+    /// rest shows too; a fine one is given up.
+    void start(BakeRequest request);
+    /// The newest light that is done and was not taken yet.
+    std::optional<LiveLight> take();
+    /// Why the latest bake failed, once.
+    std::optional<std::string> takeError();
+
+    bool isBusy() const;
+    /// Share of the bake under way that is done, 0 to 1.
+    double progress() const { return progress_.load(); }
+
+private:
+    struct Worker;
+    void work();
+
+    mutable std::mutex mutex_;
+    std::condition_variable wake_;
+    std::optional<BakeRequest> next_;
+    std::optional<LiveLight> done_;
+    std::optional<std::string> error_;
+    bool working_ = false;
+    std::atomic<bool> newer_{false};  ///< a request waits
+    std::atomic<bool> stop_{false};
+    std::atomic<double> progress_{0.0};
+    std::thread thread_;  // last: it uses all the others
+};
+
+} // namespace eikonal::window

@@ -1,0 +1,21 @@
+#pragma once
+// What a change of the scene makes necessary: only what depends on it.
+
+#include "common/scene.h"
+
+namespace eikonal::window {
+
+struct Redo {
+    bool camera = false;
+    bool exposure = false;
+    bool image = false;   ///< kernels and textures of the image
+    bool fields = false;  ///< what lies on the grid, and with it image and light
+    bool light = false;   ///< the bake
+
+    bool operator==(const Redo&) const = default;
+};
+
+/// Compares the values that the two scenes would be written with.
+Redo redoFor(const Scene& before, const Scene& after);
+
+} // namespace eikonal::window

@@ -1,0 +1,65 @@
+#pragma once
+// The picture that the window shows: coarse at once after a change, then more detailed frame by frame, up to what
+// `eikonal render` makes of the scene.
+
+#include <optional>
+#include <vector>
+
+#include "viewer/image.h"
+#include "viewer/window/governor.h"
+
+namespace eikonal::window {
+
+class Session {
+public:
+    /// `light`: a bake where effects want light, else nullptr. Keeps a reference to the context.
+    Session(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
+            const BakedLight* light, double frameSeconds);
+
+    void resize(const glm::ivec2& pixels);
+    void setCamera(const Camera& camera);
+    void setLight(const BakedLight& light);
+    void setExposure(double ev);
+    void setLook(const viewer::LookSettings& look);
+
+    /// The work of one frame: a whole coarse picture if something has changed, else a part of a better one.
+    void advance();
+
+    /// Whether the picture has every pixel and all samples of the scene.
+    bool isRefined() const { return !changed_ && current_.fine && image_.samples() >= samples_; }
+    const gpu::Texture2D* picture() const { return picture_ ? &*picture_ : nullptr; }
+    const Detail& shown() const { return shown_; }
+    int samples() const { return image_.samples(); }
+    /// The film at a place of the picture, (0, 0) to (1, 1), where the film is complete.
+    std::optional<gpu::FilmPixel> probe(const glm::dvec2& at) const;
+    ProgressiveImage& image() { return image_; }
+    const ProgressiveImage& image() const { return image_; }
+    const std::vector<std::pair<std::string, double>>& passSeconds() const { return timer_.seconds(); }
+    /// Seconds of a ray with the scene's own step, as last measured.
+    double secondsPerRay() const { return governor_.secondsPerRay(true); }
+    int samplesWanted() const { return samples_; }
+    /// Evaluations of the index field for each ray that entered the domain, so far.
+    double stepsPerRay() const;
+
+private:
+    void begin(const Detail& detail);
+    /// Rays until the sample is complete or the time is up; true: it is complete.
+    bool followRays(double seconds);
+    void paint();
+    void repaint();
+
+    const gpu::Context& context_;
+    gpu::PassTimer timer_;
+    ProgressiveImage image_;
+    Governor governor_;
+    double fineStep_;
+    int samples_;
+    glm::ivec2 fullSize_{1};
+    std::size_t mostPixels_;  ///< of a film, by the device's blocks
+    Detail current_, shown_;
+    bool changed_ = true;
+    viewer::LookSettings look_;
+    std::optional<gpu::Texture2D> picture_;
+};
+
+} // namespace eikonal::window

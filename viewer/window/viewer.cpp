@@ -1,0 +1,61 @@
+#include "viewer/window/viewer.h"
+
+#include <fmt/core.h>
+
+#include "common/interrupt.h"
+#include "common/output_file.h"
+#include "viewer/window/look_range.h"
+#include "viewer/window/viewer_state.h"
+
+namespace eikonal::window {
+
+Viewer::Viewer(const ViewOptions& options)
+    : options_(options), document_(options.file, options.overrides),
+      window_(document_.scene().render.size, "Eikonal: " + options.file.filename().string()),
+      screen_(window_.context(), "viewer/window/screen.vert.glsl", "viewer/window/screen.frag.glsl"),
+      pixels_(window_.pixels()) {
+    if (!options.script.empty()) script_.emplace(readEvents(options.script));
+    look_.slicePosition = middleOf(domain(), look_.sliceAxis);
+    makeSession();
+    startBake();
+}
+
+bool Viewer::frame() {
+    throwIfInterrupted();
+    takeEvents();
+    followFiles();
+    advanceTime();
+    takeLight();
+    if (const glm::ivec2 size = window_.pixels(); size.x > 0 && size.y > 0) {
+        pixels_ = size;
+        session_->resize(size);
+        session_->advance();
+        if (session_->isRefined()) costs_.measured(document_.effects(), session_->secondsPerRay());
+        attempt([&] { saveWhenRefined(); });
+        draw();
+    }
+    window_.context().throwIfError();
+    ++frameNumber_;
+    const auto now = Clock::now();
+    frameSeconds_ = std::chrono::duration<double>(now - frameStart_).count();
+    frameStart_ = now;
+    return !closing_;
+}
+
+void Viewer::finish() const {
+    if (options_.record.empty()) return;
+    std::string text;
+    for (const Event& event : recorded_) text += eventText(event) + "\n";
+    text += fmt::format("{} quit\n", frameNumber_);
+    writeFile(options_.record, text);
+}
+
+void viewScene(const ViewOptions& options) {
+    if (!options.record.empty()) requireWritable(options.record);
+    Viewer viewer(options);
+    while (viewer.frame()) {
+    }
+    viewer.finish();
+}
+
+} // namespace eikonal::window

@@ -1,0 +1,25 @@
+#pragma once
+// The window on a scene: a person orbits it, drags its lights and changes its values, and the picture follows.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace eikonal::window {
+
+struct ViewOptions {
+    std::filesystem::path file;          ///< scene, volume or mesh
+    std::vector<std::string> overrides;  ///< "key.path=value"; render.size is the window's
+    std::filesystem::path script;        ///< recording to replay; empty: none
+    std::filesystem::path record;        ///< where to write what is done; empty: nowhere
+    double frameSeconds = 0.033;         ///< what a frame may take while something moves
+    std::string creator;                 ///< that written images name
+    std::function<void(const std::string&)> print;  ///< a line for the person: the camera, what was saved
+};
+
+/// Opens the window and returns when it is closed. Throws Error(kNoDevice) without display or OpenGL 4.5, badInput for a
+/// scene or recording that cannot be read.
+void viewScene(const ViewOptions& options);
+
+} // namespace eikonal::window

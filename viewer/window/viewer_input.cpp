@@ -1,0 +1,162 @@
+// Events to changes.
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "common/light_motion.h"
+#include "common/scene_toml.h"
+#include "viewer/window/light_handle.h"
+#include "viewer/window/look_range.h"
+#include "viewer/window/viewer_state.h"
+
+namespace eikonal::window {
+
+namespace {
+
+constexpr double kHandleReachPixels = 22.0;
+constexpr double kIdleSeconds = 0.25;   // between looks at files where nothing happens
+constexpr double kBakingSeconds = 0.05;  // between looks at a bake that works on the same processor
+constexpr double kFramesPerSecond = 24.0;   // of keyframes
+constexpr double kTurnPerSecond = 0.5;      // radians
+
+bool isEnvironmentMap(const std::string& file) {
+    const std::string extension = std::filesystem::path(file).extension().string();
+    return extension == ".hdr" || extension == ".exr";
+}
+
+/// The camera's section of a scene file.
+std::string cameraToml(const Camera& camera) {
+    Scene scene;
+    scene.camera = camera;
+    std::string text = "[camera]";
+    for (const WrittenSection& section : writeSections(scene)) {
+        if (section.path != "camera") continue;
+        for (const auto& [key, value] : section.values) text += fmt::format("\n{} = {}", key, value);
+    }
+    return text;
+}
+
+viewer::LookSettings nextLook(viewer::LookSettings look) {
+    look.look = viewer::Look((int(look.look) + 1) % int(viewer::kLooks.size()));
+    return look;
+}
+
+double lastKeyframe(const Scene& scene) {
+    double last = 0.0;
+    for (const Light& light : scene.lights) {
+        for (const LightKeyframe& keyframe : keyframesOf(light)) last = std::max(last, keyframe.frame);
+    }
+    return last;
+}
+
+} // namespace
+
+void Viewer::takeEvents() {
+    const bool idle = !script_ && !playing_ && session_->isRefined() && !controls_.flown(scene().camera, 1.0);
+    const double wait = idle ? (bake_.isBusy() ? kBakingSeconds : kIdleSeconds) : 0.0;
+    std::vector<Event> events = window_.poll(wait);
+    if (script_) events = script_->next(isSettled());
+    for (Event& event : events) {
+        event.frame = frameNumber_;
+        handle(event);
+        if (event.kind != EventKind::kQuit) recorded_.push_back(event);  // the recording ends with one anyway
+    }
+    dragAlong();
+    if (script_ && script_->isDone()) script_.reset();
+    closing_ = closing_ || window_.isClosing();
+}
+
+void Viewer::handle(const Event& event) {
+    gui_.feed(event);
+    switch (event.kind) {
+        case EventKind::kCursor: controls_.moveTo(event.at); break;
+        case EventKind::kButton: handleButton(event); break;
+        case EventKind::kScroll:
+            if (!gui_.wantsMouse()) setCamera(dollied(scene().camera, event.at.x));
+            break;
+        case EventKind::kKey: handleKey(event); break;
+        case EventKind::kSize: window_.resize(glm::ivec2(event.at)); break;
+        case EventKind::kDrop: attempt([&] { open(event.name); }); break;
+        case EventKind::kSet: apply({event.name}); break;
+        case EventKind::kScreenshot: screenshots_.push_back(event.name); break;
+        case EventKind::kQuit: closing_ = true; break;
+        case EventKind::kText:
+        case EventKind::kWait: break;
+    }
+}
+
+void Viewer::handleButton(const Event& event) {
+    dragAlong();
+    if (event.down && gui_.wantsMouse()) return;
+    controls_.press(event, lightUnderPointer());
+}
+
+void Viewer::handleKey(const Event& event) {
+    if (event.down && gui_.wantsKeyboard()) return;
+    controls_.key(event);
+    const Binding* binding = bindingOf(event.name);
+    if (event.down && binding) attempt([&] { act(binding->action); });
+}
+
+void Viewer::act(Action action) {
+    const Camera& camera = scene().camera;
+    switch (action) {
+        case Action::kFrameAll: return setCamera(framing(camera, domain(), aspect()));
+        case Action::kFront: return setCamera(alongAxis(camera, 2));
+        case Action::kRight: return setCamera(alongAxis(camera, 0));
+        case Action::kAbove: return setCamera(alongAxis(camera, 1));
+        case Action::kFullScreen: return window_.toggleFullScreen();
+        case Action::kKeyList: keyList_ = !keyList_; return;
+        case Action::kPanels: panels_ = !panels_; return;
+        case Action::kSaveStill: savePending_ = true; return;
+        case Action::kPrintCamera: return options_.print(cameraToml(camera));
+        case Action::kReload: return reload();
+        case Action::kPlay: playing_ = playing_ ? std::nullopt : std::optional(0.0); return;
+        case Action::kSaveScene: return saveScene();
+        case Action::kNextLook: return chooseLook(nextLook(look_));
+        case Action::kQuit: closing_ = true; return;
+    }
+}
+
+void Viewer::open(const std::string& file) {
+    if (isEnvironmentMap(file)) {
+        redo(document_.set("environment.image=" + std::filesystem::absolute(file).string()));
+        return;
+    }
+    document_ = Document(file, {});
+    light_.reset();
+    look_ = {};
+    look_.slicePosition = middleOf(domain(), look_.sliceAxis);
+    makeSession();
+    startBake();
+}
+
+void Viewer::dragAlong() {
+    if (controls_.drag() == Controls::Drag::kLight) {
+        if (*controls_.light() < scene().lights.size()) moveLight(*controls_.light());
+    } else if (controls_.drag() != Controls::Drag::kNone) {
+        const Camera& camera = scene().camera;
+        const Camera dragged = controls_.dragged(camera, pixels_.y);
+        if (dragged.position != camera.position || dragged.lookAt != camera.lookAt) setCamera(dragged);
+    }
+}
+
+void Viewer::advanceTime() {
+    if (const auto flown = controls_.flown(scene().camera, tick())) setCamera(*flown);
+    if (!playing_) return;
+    const double last = lastKeyframe(scene());
+    if (last <= 0.0) {
+        setCamera(orbited(scene().camera, {kTurnPerSecond * tick(), 0.0}));
+        return;
+    }
+    playing_ = *playing_ + kFramesPerSecond * tick();
+    if (*playing_ > last) playing_ = 0.0;
+    startBake();
+}
+
+std::optional<std::size_t> Viewer::lightUnderPointer() const {
+    return handleUnder(scene(), domain(), scene().camera, placeOf(controls_.pointer()), aspect(),
+                       kHandleReachPixels / double(pixels_.y));
+}
+
+} // namespace eikonal::window

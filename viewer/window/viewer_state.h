@@ -1,0 +1,111 @@
+#pragma once
+// All that lives while the window is open, and what may be done to it.
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/gpu/screen_program.h"
+#include "viewer/window/bindings.h"
+#include "viewer/window/controls.h"
+#include "viewer/window/document.h"
+#include "viewer/window/effect_costs.h"
+#include "viewer/window/gui.h"
+#include "viewer/window/hud.h"
+#include "viewer/window/live_bake.h"
+#include "viewer/window/panel.h"
+#include "viewer/window/ray_overlay.h"
+#include "viewer/window/script.h"
+#include "viewer/window/session.h"
+#include "viewer/window/viewer.h"
+#include "viewer/window/window.h"
+
+namespace eikonal::window {
+
+class Viewer {
+public:
+    explicit Viewer(const ViewOptions& options);
+
+    /// One frame: input, what changed outside, a part of the picture, the screen. False: the window is to be closed.
+    bool frame();
+    /// Writes the recording, where one was asked for.
+    void finish() const;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    // viewer_input.cpp: events to changes.
+    void takeEvents();
+    void handle(const Event& event);
+    void handleButton(const Event& event);
+    void handleKey(const Event& event);
+    void act(Action action);
+    void open(const std::string& file);
+    void advanceTime();
+
+    // viewer_changes.cpp: changes to what depends on them.
+    void setCamera(const Camera& camera);
+    void moveLight(std::size_t index);
+    void dragAlong();
+    void apply(const std::vector<std::string>& overrides);
+    void followFiles();
+    void reload();
+    void redo(const Redo& redo);
+    void chooseLook(viewer::LookSettings look);
+    void startBake();
+    void takeLight();
+    void makeSession();
+    void attempt(const std::function<void()>& change);
+    void say(const std::string& text, bool isError);
+
+    // viewer_screen.cpp: the screen and files.
+    void draw();
+    void drawPanels();
+    void followRaysAtRest();
+    HudState hudState() const;
+    std::string lightState() const;
+    void saveWhenRefined();
+    void saveScene();
+    void takeScreenshots();
+
+    bool isSettled() const { return session_->isRefined() && !bake_.isBusy() && !savePending_; }
+    const Scene& scene() const { return document_.scene(); }
+    const Lattice& domain() const { return document_.fields()->lattice; }
+    double aspect() const { return double(pixels_.x) / double(pixels_.y); }
+    std::optional<std::size_t> lightUnderPointer() const;
+    /// Seconds that moves are made by: replayed ones do not depend on the clock.
+    double tick() const { return script_ ? 1.0 / 30.0 : frameSeconds_; }
+    glm::dvec2 placeOf(const glm::dvec2& pixel) const { return pixel / glm::dvec2(pixels_); }
+
+    ViewOptions options_;
+    std::optional<Script> script_;
+    Document document_;
+    Window window_;
+    Gui gui_;
+    gpu::ScreenProgram screen_;
+    LiveBake bake_;
+    std::optional<LiveLight> light_;
+    std::unique_ptr<Session> session_;
+    Controls controls_;
+    Panel panel_;
+    EffectCosts costs_;
+    viewer::LookSettings look_;
+    glm::ivec2 pixels_{1};
+    std::vector<Event> recorded_;
+    std::vector<std::string> screenshots_;  ///< of this frame
+    std::uint64_t frameNumber_ = 0;
+    std::optional<double> playing_;         ///< frame of the lights' keyframes
+    bool rays_ = false;                     ///< whether rays are drawn
+    std::vector<RayPath> rayPaths_;         ///< of the scene at rest; empty: to be followed again
+    std::optional<glm::dvec2> rayPointer_;  ///< where the pointer was then
+    bool panels_ = true, keyList_ = false, savePending_ = false, closing_ = false;
+    std::string message_;
+    bool messageIsError_ = false;
+    double frameSeconds_ = 0.0;             ///< of the last frame
+    Clock::time_point frameStart_ = Clock::now(), lastLook_ = Clock::now();
+};
+
+} // namespace eikonal::window
