@@ -38,7 +38,6 @@ void addCommands(CLI::App& program, eikonal::ProgramOptions& options) {
     eikonal::addInfoCommand(program, options);
     eikonal::addBenchCommand(program, options);
     eikonal::addFigureCommand(program, options);
-    eikonal::addBenchCommand(program, options);
 }
 
 ExitCode parseAndRun(int argc, char** argv) {
