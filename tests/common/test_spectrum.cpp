@@ -38,8 +38,9 @@ TEST_P(Spectrum, BandsLieSideBySideFromRedToBlue) {
     for (std::size_t i = 0; i < bands.size(); ++i) {
         EXPECT_LT(bands[i].wavelengthAt(0.0), bands[i].wavelengthMicrons);
         EXPECT_LT(bands[i].wavelengthMicrons, bands[i].wavelengthAt(1.0));
-        if (i > 0)
+        if (i > 0) {
             EXPECT_NEAR(bands[i].wavelengthAt(1.0), bands[i - 1].wavelengthAt(0.0), 1e-9);
+        }
     }
     EXPECT_NEAR(bands.front().wavelengthAt(1.0), 0.7, 1e-9);
     EXPECT_NEAR(bands.back().wavelengthAt(0.0), 0.4, 1e-9);
@@ -84,8 +85,9 @@ TEST(SpectrumOfMany, PureSpectralColoursLieOutsideTheDisplaysGamut) {
         const double most = std::max({band.toRgb.r, band.toRgb.g, band.toRgb.b});
         EXPECT_GT(most, 0.0);
         // Between the red primary and the end of the spectrum colours are as saturated as the display's own.
-        if (band.wavelengthNm() < 590.0)
+        if (band.wavelengthNm() < 590.0) {
             EXPECT_LT(least, 0.0) << band.wavelengthNm();
+        }
     }
 }
 

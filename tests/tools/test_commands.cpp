@@ -268,7 +268,7 @@ TEST(TraceCommand, ARayThereAndBackIsTheSameRay) {
     const auto end = csvRows(readText(folder.file("end.csv"))).at(1);
     std::string back = "x,y,z,dx,dy,dz\n" + end[0] + "," + end[1] + "," + end[2];
     for (int axis = 3; axis < 6; ++axis) {
-        back += "," + std::to_string(-std::stod(end[std::size_t(axis)]));
+        back.append(",").append(std::to_string(-std::stod(end[std::size_t(axis)])));
     }
     const std::string backFile = folder.write("back.csv", back + "\n");
     ASSERT_EQ(runEikonal({"trace", scene, "--rays", backFile, "-o", folder.file("start.csv")}).exitCode, 0);
