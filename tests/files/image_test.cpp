@@ -3,7 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/files/scratch_folder.h"
+#include "tests/files/expect_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace eikonal::test {
 namespace {
@@ -23,7 +24,7 @@ void writeColours(const std::filesystem::path& path, const std::vector<float>& r
 }
 
 TEST(Image, ExrKeepsFloatsAndOrder) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     writeColours(folder / "a.exr", ramp(1.0f), ramp(0.001f), ramp(1e6f));
     const Image image = readImage(folder / "a.exr");
     ASSERT_EQ(image.size, kSize);
@@ -35,7 +36,7 @@ TEST(Image, ExrKeepsFloatsAndOrder) {
 }
 
 TEST(Image, ExrKeepsChannelsByName) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto r = ramp(1.0f), depth = ramp(2.0f), steps = ramp(-3.0f);
     writeExr(folder / "a.exr", kSize, {{"R", &r}, {"G", &r}, {"B", &r}, {"steps", &steps}, {"depth.R", &depth}}, {});
     const ChannelImage image = readChannels(folder / "a.exr");
@@ -45,15 +46,15 @@ TEST(Image, ExrKeepsChannelsByName) {
 }
 
 TEST(Image, EqualInputsGiveEqualBytes) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     writeColours(folder / "a.exr", ramp(1.0f), ramp(2.0f), ramp(3.0f));
     writeColours(folder / "b.exr", ramp(1.0f), ramp(2.0f), ramp(3.0f));
-    EXPECT_EQ(bytesOf(folder / "a.exr"), bytesOf(folder / "b.exr"));
-    EXPECT_FALSE(bytesOf(folder / "a.exr").empty());
+    EXPECT_EQ(readText(folder / "a.exr"), readText(folder / "b.exr"));
+    EXPECT_FALSE(readText(folder / "a.exr").empty());
 }
 
 TEST(Image, DisplayValuesAreStoredAsTheyAre) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::vector<glm::vec3> pixels(std::size_t(kSize.x * kSize.y), glm::vec3(0.5f, -1.0f, 7.0f));
     writeDisplay(folder / "a.png", kSize, pixels);
     const ChannelImage stored = readChannels(folder / "a.png");
@@ -65,7 +66,7 @@ TEST(Image, DisplayValuesAreStoredAsTheyAre) {
 }
 
 TEST(Image, WritesJpeg) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::vector<glm::vec3> pixels(std::size_t(kSize.x * kSize.y), glm::vec3(0.25f, 0.5f, 0.75f));
     writeDisplay(folder / "a.jpg", kSize, pixels);
     const ChannelImage stored = readChannels(folder / "a.jpg");
@@ -74,13 +75,13 @@ TEST(Image, WritesJpeg) {
 }
 
 TEST(Image, RefusesOtherExtensions) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     expectError(ExitCode::kUsage, ".gif", [&] { writeDisplay(folder / "a.gif", kSize, {}); });
-    EXPECT_EQ(folder.entries(), 0u);
+    EXPECT_EQ(folder.names().size(), 0u);
 }
 
 TEST(Image, NamesThePixelThatIsNotFinite) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -0.5f}) {
         auto green = ramp(1.0f);
         green[std::size_t(2 * kSize.x + 3)] = bad;
@@ -90,16 +91,16 @@ TEST(Image, NamesThePixelThatIsNotFinite) {
 }
 
 TEST(Image, SaysWhatIsMissingOrNoImage) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     expectError(ExitCode::kBadInput, "no such file", [&] { readImage(folder / "none.hdr"); });
-    putBytes(folder / "text.hdr", "not an image");
+    writeText(folder / "text.hdr", "not an image");
     expectError(ExitCode::kBadInput, "text.hdr", [&] { readImage(folder / "text.hdr"); });
-    putBytes(folder / "text.exr", "");
+    writeText(folder / "text.exr", "");
     expectError(ExitCode::kBadInput, "text.exr", [&] { readImage(folder / "text.exr"); });
 }
 
 TEST(Image, ReportsAFullDisk) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     if (!std::filesystem::exists("/dev/full"))
         GTEST_SKIP() << "there is no /dev/full";
     const std::vector<glm::vec3> pixels(std::size_t(kSize.x * kSize.y));

@@ -9,7 +9,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "common/mesh_generate.h"
-#include "tests/files/scratch_folder.h"
+#include "tests/files/expect_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace eikonal::test {
 namespace {
@@ -67,7 +68,7 @@ TEST(Mesh, GeneratedKnotIsAClosedSolid) {
 }
 
 TEST(Mesh, ObjRoundTripWeldsAndKeepsTheSolid) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Mesh sphere = generateIcosphere(2);
     writeObj(folder / "a.obj", sphere);
     const Mesh read = loadMesh(folder / "a.obj");
@@ -78,7 +79,7 @@ TEST(Mesh, ObjRoundTripWeldsAndKeepsTheSolid) {
 }
 
 TEST(Mesh, StlIsWelded) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Mesh sphere = generateIcosphere(1);
     std::string text = "solid s\n";
     for (const glm::ivec3& t : sphere.triangles) {
@@ -89,24 +90,24 @@ TEST(Mesh, StlIsWelded) {
         }
         text += "endloop\nendfacet\n";
     }
-    putBytes(folder / "a.stl", text + "endsolid s\n");
+    writeText(folder / "a.stl", text + "endsolid s\n");
     const Mesh read = loadMesh(folder / "a.stl");
     EXPECT_EQ(read.vertices.size(), sphere.vertices.size());
     EXPECT_EQ(inspectMesh(read).openEdges, 0u);
 }
 
 TEST(Mesh, BadFilesAreBadInput) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     expectError(ExitCode::kBadInput, "no such file", [&] { loadMesh(folder / "none.obj"); });
-    putBytes(folder / "garbage.obj", "\x01\x02 this is no mesh\n");
+    writeText(folder / "garbage.obj", "\x01\x02 this is no mesh\n");
     expectError(ExitCode::kBadInput, "garbage.obj", [&] { loadMesh(folder / "garbage.obj"); });
-    putBytes(folder / "empty.ply", "");
+    writeText(folder / "empty.ply", "");
     expectError(ExitCode::kBadInput, "empty.ply", [&] { loadMesh(folder / "empty.ply"); });
-    putBytes(folder / "nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    writeText(folder / "nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     expectError(ExitCode::kBadInput, "finite", [&] { loadMesh(folder / "nan.obj"); });
-    putBytes(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    writeText(folder / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
     expectError(ExitCode::kBadInput, "points.obj", [&] { loadMesh(folder / "points.obj"); });
-    putBytes(folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    writeText(folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     expectError(ExitCode::kBadInput, "encloses a volume", [&] { loadSolidMesh(folder / "sheet.obj"); });
 }
 

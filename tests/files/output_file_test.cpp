@@ -10,46 +10,47 @@
 #include <unistd.h>
 
 #include "common/interrupt.h"
-#include "tests/files/scratch_folder.h"
+#include "tests/files/expect_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace eikonal::test {
 namespace {
 
 TEST(OutputFile, AppearsOnCommitOnly) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     {
         OutputFile output(folder / "a.txt");
-        putBytes(output.path(), "new");
+        writeText(output.path(), "new");
         EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
         EXPECT_EQ(output.path().extension(), ".txt");
         output.commit();
     }
-    EXPECT_EQ(bytesOf(folder / "a.txt"), "new");
-    EXPECT_EQ(folder.entries(), 1u);
+    EXPECT_EQ(readText(folder / "a.txt"), "new");
+    EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(OutputFile, LeavesTheOldFileWithoutCommit) {
-    const ScratchFolder folder;
-    putBytes(folder / "a.txt", "old");
+    const TemporaryFolder folder;
+    writeText(folder / "a.txt", "old");
     {
         OutputFile output(folder / "a.txt");
-        putBytes(output.path(), "half of the ne");
+        writeText(output.path(), "half of the ne");
     }
-    EXPECT_EQ(bytesOf(folder / "a.txt"), "old");
-    EXPECT_EQ(folder.entries(), 1u);
+    EXPECT_EQ(readText(folder / "a.txt"), "old");
+    EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(OutputFile, FollowsLinksAndKeepsThem) {
-    const ScratchFolder folder;
-    putBytes(folder / "real.txt", "old");
+    const TemporaryFolder folder;
+    writeText(folder / "real.txt", "old");
     std::filesystem::create_symlink("real.txt", folder / "link.txt");
     writeFile(folder / "link.txt", "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
-    EXPECT_EQ(bytesOf(folder / "real.txt"), "new");
+    EXPECT_EQ(readText(folder / "real.txt"), "new");
 }
 
 TEST(OutputFile, NamesTheFolderThatIsMissing) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     expectError(ExitCode::kFailure, "no folder", [&] { requireWritable(folder / "missing" / "a.txt"); });
     expectError(ExitCode::kFailure, "found a folder", [&] { requireWritable(folder.path()); });
 }
@@ -57,7 +58,7 @@ TEST(OutputFile, NamesTheFolderThatIsMissing) {
 TEST(OutputFile, RefusesAnUnwritableFolder) {
     if (geteuid() == 0)
         GTEST_SKIP() << "root may write everywhere";
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
     expectError(ExitCode::kFailure, "a.txt", [&] { requireWritable(folder / "a.txt"); });
     std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
@@ -101,9 +102,9 @@ int signalTwice(const std::filesystem::path& target, int signal) {
 
 TEST(Interrupt, TheSecondSignalRemovesWhatIsUnfinished) {
     for (const int signal : {SIGINT, SIGTERM}) {
-        const ScratchFolder folder;
+        const TemporaryFolder folder;
         signalTwice(folder / "a.txt", signal);
-        EXPECT_EQ(folder.entries(), 0u);
+        EXPECT_EQ(folder.names().size(), 0u);
     }
 }
 

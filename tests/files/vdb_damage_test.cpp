@@ -7,12 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/files/scratch_folder.h"
+#include "tests/files/expect_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace eikonal::test {
 namespace {
 
-std::string intactFile(const ScratchFolder& folder) {
+std::string intactFile(const TemporaryFolder& folder) {
     const Lattice lattice{{-1.0, -1.0, -1.0}, 2.0 / 24, {24, 24, 24}};
     DenseGrid<float> ior(lattice.size, 1.0f);
     DenseGrid<glm::vec3> absorption(lattice.size, glm::vec3(0.0f));
@@ -21,7 +22,7 @@ std::string intactFile(const ScratchFolder& folder) {
         absorption.values[i] = glm::vec3(ior.values[i]);
     }
     writeVdb(folder / "intact.vdb", lattice, {{"ior", &ior, glm::vec3(1.0f)}, {"absorption", &absorption}}, {});
-    return bytesOf(folder / "intact.vdb");
+    return readText(folder / "intact.vdb");
 }
 
 /// Either the file reads, or it is called bad input; nothing else may happen.
@@ -37,28 +38,28 @@ bool readsOrComplains(const std::filesystem::path& path) {
 }
 
 TEST(VdbDamage, SaysWhatIsMissing) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     expectError(ExitCode::kBadInput, "no such file", [&] { readVdb(folder / "none.vdb"); });
     expectError(ExitCode::kBadInput, "folder", [&] { readVdb(folder.path()); });
-    putBytes(folder / "empty.vdb", "");
+    writeText(folder / "empty.vdb", "");
     expectError(ExitCode::kBadInput, "empty", [&] { readVdb(folder / "empty.vdb"); });
     expectError(ExitCode::kBadInput, "empty", [&] { vdbSummary(folder / "empty.vdb"); });
-    putBytes(folder / "text.vdb", "v 0 0 0\nv 1 0 0\nThis is not a volume but some lines of text.\n");
+    writeText(folder / "text.vdb", "v 0 0 0\nv 1 0 0\nThis is not a volume but some lines of text.\n");
     expectError(ExitCode::kBadInput, "text.vdb", [&] { readVdb(folder / "text.vdb"); });
     expectError(ExitCode::kBadInput, "text.vdb", [&] { vdbSummary(folder / "text.vdb"); });
 }
 
 TEST(VdbDamage, TruncatedFilesAreBadInput) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string bytes = intactFile(folder);
     for (const double part : {0.0005, 0.002, 0.01, 0.1, 0.5, 0.9, 0.999}) {
-        putBytes(folder / "cut.vdb", bytes.substr(0, std::size_t(double(bytes.size()) * part)));
+        writeText(folder / "cut.vdb", bytes.substr(0, std::size_t(double(bytes.size()) * part)));
         EXPECT_FALSE(readsOrComplains(folder / "cut.vdb")) << "cut at " << part;
     }
 }
 
 TEST(VdbDamage, FlippedBitsNeverCrash) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const std::string bytes = intactFile(folder);
     std::mt19937 random(7);
     int complaints = 0;
@@ -68,7 +69,7 @@ TEST(VdbDamage, FlippedBitsNeverCrash) {
         const std::size_t range = i % 2 == 0 ? std::min<std::size_t>(2048, bytes.size()) : bytes.size();
         const std::size_t at = random() % range;
         damaged[at] = char(damaged[at] ^ char(1u << random() % 8));
-        putBytes(folder / "flipped.vdb", damaged);
+        writeText(folder / "flipped.vdb", damaged);
         complaints += !readsOrComplains(folder / "flipped.vdb");
     }
     EXPECT_GT(complaints, 0) << "flips in the header must be noticed";

@@ -5,7 +5,8 @@
 
 #include "common/mesh_generate.h"
 #include "common/vdb_io.h"
-#include "tests/files/scratch_folder.h"
+#include "tests/files/expect_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace eikonal::test {
 namespace {
@@ -76,7 +77,7 @@ TEST(Voxelize, RefusesOptionsOutOfRange) {
 }
 
 TEST(Voxelize, WritesNamedGridsAndHowTheyWereMade) {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const VoxelizeOptions options{.ior = 1.4, .resolution = 24, .absorption = glm::dvec3(0.5)};
     const VoxelizedMesh result = voxelize(generateIcosphere(3), options);
     writeVoxelized(folder / "a.vdb", result, options, "sphere.obj");

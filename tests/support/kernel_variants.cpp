@@ -1,12 +1,11 @@
 #include "tests/support/kernel_variants.h"
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 #include "common/gpu/objects.h"
 #include "common/gpu/shader_source.h"
 #include "tests/support/synthetic_fields.h"
+#include "tests/support/temporary_folder.h"
 
 namespace eikonal::test {
 
@@ -47,16 +46,14 @@ void expectVariantsCompile(const std::vector<KernelVariant>& variants) {
 
 void expectValidatorAgrees(const std::vector<KernelVariant>& variants) {
     if (std::system("glslangValidator --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "glslangValidator is absent";
-    std::string folder = (std::filesystem::temp_directory_path() / "eikonal_kernels_XXXXXX").string();
-    ASSERT_NE(mkdtemp(folder.data()), nullptr);
-    std::string command = "cd " + folder + " && glslangValidator -S comp";
+    const TemporaryFolder folder;
+    std::string command = "cd " + folder.path().string() + " && glslangValidator -S comp";
     for (std::size_t i = 0; i < variants.size(); ++i) {
         const std::string file = std::to_string(i) + ".comp";
-        std::ofstream(folder + "/" + file) << gpu::kernelSource(variants[i].kernel, variants[i].defines);
+        folder.write(file, gpu::kernelSource(variants[i].kernel, variants[i].defines));
         command += " " + file;
     }
-    EXPECT_EQ(std::system((command + " > log 2>&1").c_str()), 0) << std::ifstream(folder + "/log").rdbuf();
-    std::filesystem::remove_all(folder);
+    EXPECT_EQ(std::system((command + " > log 2>&1").c_str()), 0) << readText(folder / "log");
 }
 
 } // namespace eikonal::test

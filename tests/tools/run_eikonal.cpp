@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -79,33 +77,6 @@ RunResult runEikonal(const std::vector<std::string>& arguments, const RunOptions
     return result;
 }
 
-TemporaryFolder::TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "eikonal_test_XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-        throw std::runtime_error("no temporary folder at " + pattern);
-    }
-    path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
-std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return file(name);
-}
-
-std::vector<std::string> TemporaryFolder::names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
-        names.push_back(entry.path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 std::vector<std::string> shippedScene(const std::string& name, const TemporaryFolder& folder) {
     std::vector<std::string> arguments{std::string(EIKONAL_SCENES) + "/" + name + ".toml"};
     if (name == "amber_figure") {
@@ -120,11 +91,6 @@ std::vector<std::string> shippedScene(const std::string& name, const TemporaryFo
         arguments.insert(arguments.end(), {"--set", "object.0.volume=" + volume});
     }
     return arguments;
-}
-
-std::string readText(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 } // namespace eikonal::test
