@@ -10,7 +10,7 @@ EikonalDeposit::EikonalDeposit(const gpu::Context& context, const std::vector<st
                                int layers)
     : voxelsPerLayer_(std::size_t(lattice.size.x) * std::size_t(lattice.size.y)),
       leastPaths_(context, voxelsPerLayer_ * std::size_t(layers) * sizeof(std::uint32_t), "eikonal") {
-    for (int list = 0; list < TUBE_LISTS; ++list) {
+    for (int list = 0; list < TUBE_DEPOSIT_LISTS; ++list) {
         std::vector<std::string> variant = defines;
         variant.push_back("PART_LIST " + std::to_string(list));
         kernels_.emplace_back(context, "lightsim/tubes/eikonal.comp.glsl", variant);

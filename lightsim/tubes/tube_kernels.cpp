@@ -37,7 +37,9 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       measureEdges_(context, "lightsim/tubes/measure_edges.comp.glsl", defines),
       measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines),
       conform_(context, "lightsim/tubes/conform.comp.glsl", defines),
-      sort_(context, "lightsim/tubes/sort_cells.comp.glsl", defines),
+      sortCells_(context, "lightsim/tubes/sort_cells.comp.glsl", defines),
+      smoothCells_(context, "lightsim/tubes/smooth_cells.comp.glsl", defines),
+      sortParts_(context, "lightsim/tubes/sort_parts.comp.glsl", defines),
       tally_(context, "lightsim/tubes/tally.comp.glsl", defines), intoSums_(context, defines) {}
 
 TubeKernels::DepositKernels::DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines)
@@ -90,6 +92,11 @@ void TubeKernels::run(const gpu::Kernel& kernel, std::size_t items, std::size_t 
     tubeBlock_.bindUniform(TUBE_SETTINGS_BINDING);
     const std::size_t invocations = items * invocationsPerItem;
     kernel.dispatch({(invocations + BAKE_GROUP_SIZE - 1) / BAKE_GROUP_SIZE, 1, 1});
+}
+
+/// An invocation for everything that is listed.
+void TubeKernels::dispatchList(const gpu::Kernel& kernel, std::size_t list) const {
+    kernel.dispatchIndirect(parts_, list * sizeof(TubePartList) + offsetof(TubePartList, groups));
 }
 
 void TubeKernels::place(std::uint32_t first, std::span<const TubeVertex> vertices) {
@@ -150,14 +157,16 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& de
     parts_.upload(lists);  // the count of folded cells behind them goes on
     cells_.bindStorage(TUBE_SORT_RECORDS_BINDING);
     parts_.bindStorage(TUBE_SORT_PARTS_BINDING);
-    run(sort_, jobs.size(), kCellsPerJob);
+    run(sortCells_, jobs.size(), kCellsPerJob);
+    dispatchList(smoothCells_, TUBE_EVEN_LIST);
+    dispatchList(sortParts_, TUBE_UNEVEN_LIST);
     deposits.light.bind();
     cells_.bindStorage(TUBE_RECORDS_BINDING);
     parts_.bindStorage(TUBE_PARTS_BINDING);
     const DepositKernels& into = depositKernels(deposits.light);
-    const gpu::Kernel* kernels[TUBE_LISTS] = {&into.gather, &into.points, &into.rays};
-    for (std::size_t list = 0; list < TUBE_LISTS; ++list) {
-        kernels[list]->dispatchIndirect(parts_, list * sizeof(TubePartList) + offsetof(TubePartList, groups));
+    const gpu::Kernel* kernels[TUBE_DEPOSIT_LISTS] = {&into.gather, &into.points, &into.rays};
+    for (std::size_t list = 0; list < TUBE_DEPOSIT_LISTS; ++list) {
+        dispatchList(*kernels[list], list);
     }
     if (deposits.eikonal != nullptr) {
         deposits.eikonal->add(parts_);

@@ -70,6 +70,7 @@ private:
 
     void bindTracks() const;
     void run(const gpu::Kernel& kernel, std::size_t items, std::size_t invocationsPerItem = 1);
+    void dispatchList(const gpu::Kernel& kernel, std::size_t list) const;
     void depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits);
     const DepositKernels& depositKernels(const VoxelSums& sums);
 
@@ -78,7 +79,7 @@ private:
     TubeSettings tubeSettings_{};
     gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, reflections_, cells_, parts_,
         ledger_, settingsBlock_, tubeBlock_;
-    gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sort_, tally_;
+    gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sortCells_, smoothCells_, sortParts_, tally_;
     DepositKernels intoSums_;
     std::optional<DepositKernels> intoLobes_;  ///< compiled where they are first needed
 };

@@ -124,7 +124,10 @@ struct TubeCell {
 #define TUBE_GATHER_LIST 0
 #define TUBE_POINT_LIST 1
 #define TUBE_RAY_LIST 2
-#define TUBE_LISTS 3
+#define TUBE_DEPOSIT_LISTS 3
+#define TUBE_EVEN_LIST 3      // cells, by their first part: volumes and parts are still to come
+#define TUBE_UNEVEN_LIST 4    // parts that are still to be sorted
+#define TUBE_LISTS 5
 #define TUBE_LIST_PARTS (4u * TUBE_MAX_JOBS * TUBE_MAX_PARTS)
 
 // What has been listed, and the indirect dispatch with an invocation a part.
@@ -170,6 +173,6 @@ static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRR
 static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
-static_assert(sizeof(TubeCell) == 304 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 64 && sizeof(TubeSettings) == 48);
+static_assert(sizeof(TubeCell) == 304 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 96 && sizeof(TubeSettings) == 48);
 } // namespace eikonal::bake
 #endif

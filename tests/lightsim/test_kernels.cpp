@@ -48,7 +48,7 @@ std::vector<KernelVariant> variants() {
             }
         }
     }
-    for (const char* kernel : {"measure_edges", "measure_nodes", "conform", "sort_cells", "tally"}) {  // of no effect
+    for (const char* kernel : {"measure_edges", "measure_nodes", "conform", "sort_cells", "smooth_cells", "sort_parts", "tally"}) {  // of no effect
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3"}});
     }
     return rows;

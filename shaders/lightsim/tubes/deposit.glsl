@@ -51,6 +51,18 @@ vec3 unitOf(vec3 v) {
     return v / max(length(v), 1.0e-30);
 }
 
+// The next place of a box, x first; beyond the last one z is too large.
+ivec3 following(ivec3 place, ivec3 first, ivec3 last) {
+    place.x += 1;
+    if (place.x > last.x) {
+        place = ivec3(first.x, place.y + 1, place.z);
+    }
+    if (place.y > last.y) {
+        place = ivec3(place.x, first.y, place.z + 1);
+    }
+    return place;
+}
+
 void addWhereInside(ivec3 voxel, vec3 powerLength, vec3 flux) {
     if (all(greaterThanEqual(voxel, ivec3(0))) && all(lessThan(voxel, domainSize))) {
         addAt(voxel, powerLength, flux);

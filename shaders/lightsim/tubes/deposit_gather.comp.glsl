@@ -7,8 +7,6 @@ layout(local_size_x = BAKE_GROUP_SIZE) in;
 
 const int kNewtonSteps = 4;
 const float kNewtonEnd = 0.01;  // of the unit cube: what is left after such a step is of the order of its square
-const float kFarOut = 1.0;  // of a unit cube, from its middle, where the linear guess may be off
-
 // Solves placeIn(map, q) = x. Where it has no solution the result is outside the unit cube, or far from x.
 vec3 invertedIn(Trilinear map, vec3 x, vec3 guess) {
     vec3 q = guess;
@@ -34,30 +32,93 @@ struct Light {
     vec3 flux;
 };
 
-// Light of the part at the samples of a voxel.
-Light gathered(Part part, CornerLight corners, Trilinear map, mat3 inverseMiddle, vec3 middle, ivec3 voxel) {
+// A part, and what a linear guess of the place of a point in it takes.
+struct Gather {
+    Part part;
+    Trilinear map;
+    vec3 middle;
+    mat3 inverseMiddle;  // of the derivatives there
+    vec3 reach;          // how far from the middle of the unit cube the guess for a point of the part can be
+};
+
+// About its middle the map is linear but for products of two and of three coordinates, each at most a half.
+Gather gatherOf(Part part, Trilinear map) {
+    const float kRounding = 1.0e-3;
+    Gather gather;
+    gather.part = part;
+    gather.map = map;
+    gather.middle = placeIn(map, vec3(0.5));
+    gather.inverseMiddle = inverse(derivativesIn(map, vec3(0.5)));
+    vec3 products = abs(gather.inverseMiddle * (map.c110 + 0.5 * map.c111)) +
+                    abs(gather.inverseMiddle * (map.c101 + 0.5 * map.c111)) +
+                    abs(gather.inverseMiddle * (map.c011 + 0.5 * map.c111)) + 0.5 * abs(gather.inverseMiddle * map.c111);
+    gather.reach = 0.5 + kRounding + 0.25 * products;
+    return gather;
+}
+
+// Light of the part at a point x, a share of that of its voxel.
+Light lightAt(Gather gather, CornerLight corners, vec3 x, vec3 guess, float share) {
     Light light = Light(vec3(0.0), vec3(0.0));
-    int n = int(tube.samplesPerVoxel);
-    for (int i = 0; i < n * n * n; ++i) {
-        vec3 x = vec3(voxel) + (vec3(ivec3(i % n, i / n % n, i / (n * n))) + 0.5) / float(n);
-        vec3 guess = inverseMiddle * (x - middle);
-        if (largestOf(abs(guess)) > kFarOut) {
-            continue;
-        }
-        vec3 q = invertedIn(map, x, guess + 0.5);
-        if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0)))) {
-            vec3 place = placeInCell(part, q);
-            if (!isPastMirror(part.cell, place)) {
-                continue;
-            }
-            mat3 d = derivativesIn(map, q);
-            float own = abs(determinant(d)) * float(part.cuts.x * part.cuts.y * part.cuts.z);
-            vec3 powerLength = powerLengthAt(corners, place) / (volumeAt(part.cell, place, own) * float(n * n * n));
-            light.powerLength += powerLength;
-            light.flux += fluxOf(powerLength, unitOf(d[2]));
-        }
+    vec3 q = invertedIn(gather.map, x, guess + 0.5);
+    vec3 place = placeInCell(gather.part, q);
+    if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0))) && isPastMirror(gather.part.cell, place)) {
+        mat3 d = derivativesIn(gather.map, q);
+        ivec3 cuts = gather.part.cuts;
+        float own = abs(determinant(d)) * float(cuts.x * cuts.y * cuts.z);
+        light.powerLength = powerLengthAt(corners, place) * (share / volumeAt(gather.part.cell, place, own));
+        light.flux = fluxOf(light.powerLength, unitOf(d[2]));
     }
     return light;
+}
+
+// Light of the part at the samples of a voxel. Samples that cannot lie in it are passed over in a loop of their own, for
+// invocations wait for each other in what follows it.
+Light gathered(Gather gather, CornerLight corners, ivec3 voxel) {
+    Light light = Light(vec3(0.0), vec3(0.0));
+    int n = int(tube.samplesPerVoxel);
+    float spacing = 1.0 / float(n);
+    ivec3 first = ivec3(0);
+    ivec3 last = ivec3(n - 1);
+    ivec3 place = ivec3(-1, 0, 0);
+    for (int i = 0; i < n * n * n; ++i) {
+        vec3 x, guess;
+        do {
+            place = following(place, first, last);
+            x = vec3(voxel) + (vec3(place) + 0.5) * spacing;
+            guess = gather.inverseMiddle * (x - gather.middle);
+        } while (place.z < n && any(greaterThan(abs(guess), gather.reach)));
+        if (place.z >= n) {
+            break;
+        }
+        Light more = lightAt(gather, corners, x, guess, spacing * spacing * spacing);
+        light.powerLength += more.powerLength;
+        light.flux += more.flux;
+    }
+    return light;
+}
+
+// Half the extent of a voxel in the unit cube, by the linear guess.
+vec3 voxelReachOf(Gather gather) {
+    mat3 rows = transpose(gather.inverseMiddle);
+    return 0.5 * vec3(dot(abs(rows[0]), vec3(1.0)), dot(abs(rows[1]), vec3(1.0)), dot(abs(rows[2]), vec3(1.0)));
+}
+
+void gatherBetween(ivec3 first, ivec3 last, Gather gather, CornerLight corners) {
+    vec3 reach = gather.reach + voxelReachOf(gather);
+    int count = (last.x - first.x + 1) * (last.y - first.y + 1) * (last.z - first.z + 1);
+    ivec3 voxel = first - ivec3(1, 0, 0);
+    for (int i = 0; i < count; ++i) {
+        vec3 guess;
+        do {
+            voxel = following(voxel, first, last);
+            guess = gather.inverseMiddle * (vec3(voxel) + 0.5 - gather.middle);
+        } while (voxel.z <= last.z && (any(greaterThan(abs(guess), reach)) || !takesLight(voxel)));
+        if (voxel.z > last.z) {
+            break;
+        }
+        Light light = gathered(gather, corners, voxel);
+        addAt(voxel, light.powerLength, light.flux);
+    }
 }
 
 void main() {
@@ -66,7 +127,6 @@ void main() {
     }
     Part part = unpackedPart(listedPart(TUBE_GATHER_LIST, gl_GlobalInvocationID.x));
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
-    CornerLight corners = cornerLightOf(part.cell);
     vec3 low = vec3(1.0e30);
     vec3 high = vec3(-1.0e30);
     for (int i = 0; i < 8; ++i) {
@@ -77,23 +137,8 @@ void main() {
     // voxels that have a sample between low and high
     float rim = 0.5 / float(tube.samplesPerVoxel);
     ivec3 first = max(ivec3(ceil(low + rim)) - 1, ivec3(0));
-    ivec3 count = min(ivec3(floor(high - rim)), domainSize - 1) - first + 1;
-    if (any(lessThan(count, ivec3(1)))) {
-        return;
-    }
-    vec3 middle = placeIn(map, vec3(0.5));
-    mat3 inverseMiddle = inverse(derivativesIn(map, vec3(0.5)));
-    // half the extent of a voxel in the unit cube, by the linear guess
-    mat3 rows = transpose(inverseMiddle);
-    vec3 voxelReach = 0.5 * vec3(dot(abs(rows[0]), vec3(1.0)), dot(abs(rows[1]), vec3(1.0)), dot(abs(rows[2]), vec3(1.0)));
-    for (int i = 0; i < count.x * count.y * count.z; ++i) {
-        ivec3 voxel = first + ivec3(i % count.x, i / count.x % count.y, i / (count.x * count.y));
-        if (!takesLight(voxel) || any(greaterThan(abs(inverseMiddle * (vec3(voxel) + 0.5 - middle)), voxelReach + kFarOut))) {
-            continue;
-        }
-        Light light = gathered(part, corners, map, inverseMiddle, middle, voxel);
-        if (largestOf(light.powerLength) > 0.0) {
-            addAt(voxel, light.powerLength, light.flux);
-        }
+    ivec3 last = min(ivec3(floor(high - rim)), domainSize - 1);
+    if (all(lessThanEqual(first, last))) {
+        gatherBetween(first, last, gatherOf(part, map), cornerLightOf(part.cell));
     }
 }

@@ -26,24 +26,24 @@ void main() {
     ivec3 counts = pointsFor(extents, largestOf(powerLengthAt(corners, placeInCell(part, vec3(0.5)))) * cut,
                               cells[part.cell].pointPower);
     float portion = cut / float(counts.x * counts.y * counts.z);
-    ivec3 current = ivec3(-1);
-    vec3 powerLength = vec3(0.0);
-    vec3 flux = vec3(0.0);
-    for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
-        vec3 q = (vec3(ivec3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y))) + 0.5) / vec3(counts);
-        if (!isPastMirror(part.cell, placeInCell(part, q))) {
-            continue;
-        }
-        ivec3 voxel = ivec3(floor(placeIn(map, q)));
-        if (voxel != current) {
-            addWhereInside(current, powerLength, flux);
-            current = voxel;
-            powerLength = vec3(0.0);
-            flux = vec3(0.0);
-        }
-        vec3 point = powerLengthAt(corners, placeInCell(part, q)) * portion;
-        powerLength += point;
-        flux += fluxOf(point, unitOf(derivativesIn(map, q)[2]));
+    // voxel after voxel, for invocations wait for each other where sums are added to
+    vec3 spacing = 1.0 / vec3(counts);
+    ivec3 index = ivec3(0);
+    vec3 q = 0.5 * spacing;
+    vec3 x = placeIn(map, q);
+    while (index.z < counts.z) {
+        ivec3 voxel = ivec3(floor(x));
+        vec3 powerLength = vec3(0.0);
+        vec3 flux = vec3(0.0);
+        do {
+            vec3 place = placeInCell(part, q);
+            vec3 point = isPastMirror(part.cell, place) ? powerLengthAt(corners, place) * portion : vec3(0.0);
+            powerLength += point;
+            flux += fluxOf(point, unitOf(derivativesIn(map, q)[2]));
+            index = following(index, ivec3(0), counts - 1);
+            q = (vec3(index) + 0.5) * spacing;
+            x = placeIn(map, q);
+        } while (index.z < counts.z && ivec3(floor(x)) == voxel);
+        addWhereInside(voxel, powerLength, flux);
     }
-    addWhereInside(current, powerLength, flux);
 }

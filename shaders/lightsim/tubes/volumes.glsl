@@ -12,46 +12,52 @@ vec3 derivativeAt(uint at, vec3 x0, vec3 x1, vec3 x2) {
     return (float(2u * at) - 1.0) * 0.5 * (x0 - 2.0 * x1 + x2) + x1 - x0;
 }
 
-vec3 vertexPosition(TubeNode node, uint column, uint row, uint k) {
-    return positions[trackOf(node.vertices[column + 3u * row]) + k].xyz / domainVoxel;
+// The vertices of a node at a sample, row by row [voxels].
+struct NodeFront {
+    vec3 x[9];
+};
+
+NodeFront frontOf(TubeNode node, uint k) {
+    NodeFront front;
+    for (int i = 0; i < 9; ++i) {
+        front.x[i] = (positions[trackOf(node.vertices[i]) + k].xyz - domainMin) / domainVoxel;
+    }
+    return front;
 }
 
-// Signed area per sub-cell across the direction `along` at a vertex of the node.
-vec3 areaAt(TubeNode node, uint column, uint row, uint k) {
-    vec3 alongU = derivativeAt(column, vertexPosition(node, 0u, row, k), vertexPosition(node, 1u, row, k),
-                               vertexPosition(node, 2u, row, k));
-    vec3 alongV = derivativeAt(row, vertexPosition(node, column, 0u, k), vertexPosition(node, column, 1u, k),
-                               vertexPosition(node, column, 2u, k));
+// Area per sub-cell at a vertex of the node, as a vector across it.
+vec3 areaAt(NodeFront front, uint column, uint row) {
+    vec3 alongU = derivativeAt(column, front.x[3u * row], front.x[3u * row + 1u], front.x[3u * row + 2u]);
+    vec3 alongV = derivativeAt(row, front.x[column], front.x[column + 3u], front.x[column + 6u]);
     return cross(alongU, alongV);
 }
 
 // Power at a vertex over the mean of the sub-cell.
-float relativePower(TubeNode node, uint column, uint row, uint quarter) {
-    LaunchFrame frame = frames[node.frameIndex];
+float relativePower(TubeNode node, LaunchFrame frame, uint column, uint row, uint quarter) {
     vec2 extent = vertices[node.vertices[4]].launch - vertices[node.vertices[0]].launch;
     float density = launchDensity(frame, vertices[node.vertices[column + 3u * row]].launch);
     return density * extent.x * extent.y / max(node.launchShare[quarter], 1.0e-30);
 }
 
-vec4[2] volumesOf(TubeNode node, TubeCell cell, uint quarter, uint first, uint last) {
+// `map`: of the sub-cell that is the quarter of a node between two samples.
+vec4[2] volumesOf(TubeNode node, Trilinear map, uint quarter, NodeFront before, NodeFront after) {
     const float kTrusted = 1.1;  // ratio to the cell's own volume beyond which the map is too rough for quadratics
-    vec3 x[8];
-    for (int i = 0; i < 8; ++i) {
-        x[i] = cell.corners[i].xyz;
-    }
-    Trilinear map = trilinearOf(x);
+    LaunchFrame frame = frames[node.frameIndex];
     float smoothed[8];
     float meanRatio = 0.0;
     bool trusted = true;
-    for (int i = 0; i < 8; ++i) {
-        uint column = quarter % 2u + uint(i) % 2u;
-        uint row = quarter / 2u + uint(i) / 2u % 2u;
-        vec3 travel = x[i % 4 + 4] - x[i % 4];
-        float own = determinant(derivativesIn(map, vec3(ivec3(i & 1, i >> 1 & 1, i >> 2))));
-        smoothed[i] = dot(areaAt(node, column, row, i < 4 ? first : last), travel) / relativePower(node, column, row, quarter);
-        float ratio = own / smoothed[i];
-        trusted = trusted && ratio > 1.0 / kTrusted && ratio < kTrusted;
-        meanRatio += 0.125 * ratio;
+    for (uint i = 0u; i < 4u; ++i) {
+        uint column = quarter % 2u + i % 2u;
+        uint row = quarter / 2u + i / 2u;
+        vec3 corner = vec3(float(i % 2u), float(i / 2u), 0.0);
+        vec3 travel = after.x[column + 3u * row] - before.x[column + 3u * row];
+        float power = relativePower(node, frame, column, row, quarter);
+        smoothed[i] = dot(areaAt(before, column, row), travel) / power;
+        smoothed[i + 4u] = dot(areaAt(after, column, row), travel) / power;
+        vec2 ratio = vec2(determinant(derivativesIn(map, corner)) / smoothed[i],
+                          determinant(derivativesIn(map, corner + vec3(0.0, 0.0, 1.0))) / smoothed[i + 4u]);
+        trusted = trusted && all(greaterThan(ratio, vec2(1.0 / kTrusted))) && all(lessThan(ratio, vec2(kTrusted)));
+        meanRatio += 0.125 * (ratio.x + ratio.y);
     }
     vec4 volumes[2];
     for (int i = 0; i < 8; ++i) {

@@ -1,0 +1,26 @@
+// Sort, second part: cells that are even as a whole get the volumes that quadratics through their node give, and their parts
+// are listed for the gather. Where the map is too rough for quadratics, only the most even are gathered.
+#include "lightsim/tubes/sort.glsl"
+#include "lightsim/tubes/tracks.glsl"
+#include "lightsim/tubes/volumes.glsl"
+
+layout(local_size_x = BAKE_GROUP_SIZE) in;
+
+layout(std430, binding = TUBE_NODES_BINDING) readonly buffer NodeBlock { TubeNode nodes[]; };
+
+void main() {
+    if (gl_GlobalInvocationID.x >= header.lists[TUBE_EVEN_LIST].count) {
+        return;
+    }
+    Part part = unpackedPart(parts[TUBE_EVEN_LIST * TUBE_LIST_PARTS + gl_GlobalInvocationID.x]);
+    TubeJob job = jobs[part.cell / 4u];
+    TubeNode node = nodes[job.node];
+    Trilinear map = mapOf(cells[part.cell].corners);
+    vec4 volumes[2] = volumesOf(node, map, part.cell % 4u, frontOf(node, firstStepOf(job)), frontOf(node, lastStepOf(job)));
+    cells[part.cell].volumes = volumes;
+    if (volumes[0].x != TUBE_OWN_VOLUME || isGathered(map, unevennessOf(map), kRough)) {
+        listParts(TUBE_GATHER_LIST, part.cell, findMSB(part.cuts));
+    } else {
+        listUneven(part.cell, isWeak(job), lengthsOf(map));
+    }
+}

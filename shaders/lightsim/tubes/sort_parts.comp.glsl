@@ -1,0 +1,14 @@
+// Sort, second part: the parts of uneven cells, one by one.
+#include "lightsim/tubes/sort.glsl"
+
+layout(local_size_x = BAKE_GROUP_SIZE) in;
+
+void main() {
+    if (gl_GlobalInvocationID.x >= header.lists[TUBE_UNEVEN_LIST].count) {
+        return;
+    }
+    uint packed_ = parts[TUBE_UNEVEN_LIST * TUBE_LIST_PARTS + gl_GlobalInvocationID.x];
+    Part part = unpackedPart(packed_);
+    Trilinear map = partOf(mapOf(cells[part.cell].corners), part.cuts, part.index);
+    listPart(isGathered(map, unevennessOf(map), kRough) ? TUBE_GATHER_LIST : TUBE_POINT_LIST, packed_);
+}
