@@ -151,8 +151,12 @@ DenseGrid<unsigned char> clearanceOf(const FieldPyramid& pyramid,
     DenseGrid<unsigned char> distance(pyramid.bricks.size, 255);
     for (std::size_t b = 0; b < distance.values.size(); ++b)
         if (isObstacle(pyramid.bricks.values[b])) distance.values[b] = 0;
-    for (int axis = 0; axis < 3; ++axis) spreadAlong(axis, distance);
+    spreadDistances(distance);
     return distance;
+}
+
+void spreadDistances(DenseGrid<unsigned char>& distance) {
+    for (int axis = 0; axis < 3; ++axis) spreadAlong(axis, distance);
 }
 
 } // namespace eikonal

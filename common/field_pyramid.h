@@ -42,4 +42,7 @@ double negligibleGradient(const FieldPyramid& pyramid, double tolerance);
 DenseGrid<unsigned char> clearanceOf(const FieldPyramid& pyramid,
                                      const std::function<bool(const FieldBrick&)>& isObstacle);
 
+/// Turns a grid that is 0 at some places and 255 elsewhere into Chebyshev's distance to the nearest of those, 255 at most.
+void spreadDistances(DenseGrid<unsigned char>& distance);
+
 } // namespace eikonal

@@ -5,6 +5,7 @@
 
 #include "common/interrupt.h"
 #include "lightsim/settings.h"
+#include "shaders/shared/bindings.h"
 
 namespace eikonal::bake {
 
@@ -19,8 +20,11 @@ bool hasBoundaries(const MethodPlan& plan) {
     return std::find(plan.defines.begin(), plan.defines.end(), "EFFECT_REFLECTION") != plan.defines.end();
 }
 
-std::vector<std::string> definesFor(const MethodPlan& plan, bool followsReflections) {
+std::vector<std::string> definesFor(const MethodPlan& plan, bool followsReflections, bool hasDetail) {
     std::vector<std::string> defines = plan.defines;
+    if (hasDetail) {
+        defines.push_back("FIELD_DETAIL");
+    }
     if (followsReflections) {
         defines.push_back("FOLLOW_REFLECTIONS");
     }
@@ -34,10 +38,11 @@ TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const Ba
     : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(options.tubeVertices),
       layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)),
       followsReflections_(plan.accuracy.reflections > 0 && hasBoundaries(plan)),
-      kernels_(context, definesFor(plan, followsReflections_), capacity_, followsReflections_),
+      detail_(detailTexture(context, distanceToDetail(plan.fields))),
+      kernels_(context, definesFor(plan, followsReflections_, detail_.has_value()), capacity_, followsReflections_),
       sums_(context, plan.fields.lattice, layers_, plan.bands) {
     if (options.eikonal) {
-        eikonal_.emplace(context, definesFor(plan, followsReflections_), plan.fields.lattice, layers_);
+        eikonal_.emplace(context, definesFor(plan, followsReflections_, detail_.has_value()), plan.fields.lattice, layers_);
     }
     setLights(context, grids, settings);
 }
@@ -131,6 +136,9 @@ void TubeBake::run(int begin, int end, const Deposits& deposits, const std::func
     settings_.slabBegin = begin;
     settings_.slabEnd = end;
     counts_ = {};
+    if (detail_) {
+        detail_->bind(gpu::kUnitDetail);
+    }
     kernels_.restart(settings_);
     const double leastPower = kFollowedShare * accuracy_.tolerance * grids_->strongestPower;
     std::vector<LightPath> paths{pathFromSource(*grids_)};

@@ -5,6 +5,7 @@
 
 #include "lightsim/light_method.h"
 #include "lightsim/light_sums.h"
+#include "lightsim/tubes/detail.h"
 #include "lightsim/tubes/tube_batch.h"
 
 namespace eikonal::bake {
@@ -28,7 +29,7 @@ public:
     void read(const DenseGrid<float>& opaque, BakedLight& light) const override;
     PatchCounts counts() const override { return counts_; }
     const gpu::Buffer& ledger() const override { return kernels_.ledger(); }
-    std::size_t bytes() const override { return kernels_.bytes() + sums_.bytes() + (eikonal_ ? eikonal_->bytes() : 0); }
+    std::size_t bytes() const override { return kernels_.bytes() + sums_.bytes() + (detail_ ? detail_->bytes() : 0) + (eikonal_ ? eikonal_->bytes() : 0); }
 
 private:
     void run(int begin, int end, const Deposits& deposits, const std::function<void(double)>& progress);
@@ -43,6 +44,7 @@ private:
     std::uint32_t capacity_;
     int layers_;
     bool followsReflections_;
+    std::optional<gpu::Texture3D> detail_;  ///< where the fields hold any
     TubeKernels kernels_;
     LightSums sums_;
     std::optional<EikonalDeposit> eikonal_;  ///< where asked for

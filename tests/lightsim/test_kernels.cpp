@@ -48,6 +48,9 @@ std::vector<KernelVariant> variants() {
             }
         }
     }
+    for (const char* kernel : {"measure_edges", "measure_nodes"}) {
+        rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3", "FIELD_DETAIL"}});
+    }
     for (const char* kernel : {"measure_edges", "measure_nodes", "conform", "sort_cells", "smooth_cells", "sort_parts", "tally"}) {  // of no effect
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3"}});
     }

@@ -31,6 +31,28 @@ bool isUneven(vec3 deviation, Expectation expected) {
     return extent2 > tube.evenSide * tube.evenSide && abs(shift) > tube.maxUnevenSpread * extent2;
 }
 
+#ifdef FIELD_DETAIL
+#include "shared/bindings.h"
+#include "shared/brick.h"
+
+layout(binding = kUnitDetail) uniform sampler3D detailGrid;
+
+// Whether the rectangles beside an edge with its middle at x may hold detail that their rays pass unseen: the edge is longer than
+// that allows, and the fields hold some within its length. `along`: the edge [scene units].
+bool mayHide(vec3 x, vec3 along) {
+    const float kSeen = 2.0;  // by rays with another halfway [voxels]
+    vec3 extent = abs(along) / domainVoxel;
+    ivec3 brick = ivec3(floor((x - domainMin) / (float(kBrickVoxels) * domainVoxel)));
+    brick = clamp(brick, ivec3(0), textureSize(detailGrid, 0) - 1);
+    float bricks = round(255.0 * texelFetch(detailGrid, brick, 0).r);
+    return length(extent) > kSeen && largestOf(extent) > (bricks - 1.0) * float(kBrickVoxels);
+}
+#else
+bool mayHide(vec3 x, vec3 along) {
+    return false;
+}
+#endif
+
 // Adds what sample k of a middle's track says; `power`: the power about it, by band, before losses.
 void measureSample(uint middle, int k, Expectation expected, vec3 power, inout TubeMeasure measure) {
     uint place = trackOf(middle) + uint(k);
@@ -40,7 +62,7 @@ void measureSample(uint middle, int k, Expectation expected, vec3 power, inout T
     bool bent = length(deviation) > tube.maxDeviation || isUneven(deviation, expected);
     bool uneven = largestOf(abs(share - expected.share)) > tube.maxShareDeviation * largestOf(larger) &&
                   expected.extent > tube.resolvedSide;
-    if (bent || uneven) {
+    if (bent || uneven || mayHide(positions[place].xyz, expected.along)) {
         if (largestOf(power * larger) > frames[vertices[middle].frameIndex].splitPower) {
             measure.strong |= sampleBit(k);
         } else {
