@@ -60,7 +60,8 @@ std::vector<double> errorsOf(const std::vector<RayEnd>& ends, const std::vector<
     return {rms.x, rms.y, rms.z};
 }
 
-std::string settingOf(const FieldKind& kind, double stepVoxels) {
+std::string settingOf(const FieldKind& kind, const StepRule& rule, double stepVoxels) {
+    if (rule.adapts()) return fmt::format("turns of {:.2g} rad", rule.angle);
     return kind.resolution > 0 ? fmt::format("step {:g} voxels", stepVoxels * kind.resolution / 128.0)
                                : fmt::format("step {:g}/128 of the edge", stepVoxels);
 }
@@ -79,7 +80,7 @@ Measurement measure(const Field& field, const FieldKind& kind, const RayCase& ra
     }
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     const double rays = double(ends.size());
-    return {rayCase.name, kind.name, kind.resolution, method.name, settingOf(kind, stepVoxels),
+    return {rayCase.name, kind.name, kind.resolution, method.name, settingOf(kind, rule, stepVoxels),
             double(evaluations) / rays, seconds / rays, errorsOf(ends, rayCase.truth), kind.line};
 }
 
