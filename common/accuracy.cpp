@@ -40,7 +40,7 @@ void requireAvailable(const Scene& scene) {
 
 void requireIntegratorOfLight(const Scene& scene) {
     require(scene, integratorOf(scene.accuracy) == Integrator::kLeapfrog, "accuracy.integrator",
-            "'auto' or 'leapfrog' where light is simulated; the others are for viewing rays, with a bake made without them");
+            "'auto' or 'leapfrog' where light is simulated; for viewing rays with another, give `render` a bake made without it");
 }
 
 } // namespace eikonal
