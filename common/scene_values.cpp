@@ -44,6 +44,11 @@ std::optional<double> plainNumber(const std::string& text) {
     return all ? std::optional(value) : std::nullopt;
 }
 
+void requireMagnitude(double value, const toml::node& node, const std::string& key) {
+    if (std::abs(value) > kLargestNumber)
+        throw wrongValue(node, key, fmt::format("a number between {:g} and {:g}", -kLargestNumber, kLargestNumber));
+}
+
 template <int kCount>
 glm::vec<kCount, double> readVector(const toml::node& node, const std::string& key, const Limits& limits) {
     const std::string expected = fmt::format("[{}], numbers{}", kCount == 2 ? "x, y" : "x, y, z", limits.text());
@@ -100,6 +105,7 @@ double readNumber(const toml::node& node, const std::string& key, const Limits& 
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
     if (!value || !limits.contain(*value))
         throw wrongValue(node, key, "a number" + limits.text());
+    requireMagnitude(*value, node, key);
     return *value;
 }
 
@@ -137,6 +143,8 @@ Quantity readQuantity(const toml::node& node, const std::string& key, const Limi
         const std::optional<double> number = plainNumber(text);
         if (number && !limits.contain(*number))
             throw wrongValue(node, key, "a number" + limits.text());
+        if (number)
+            requireMagnitude(*number, node, key);
         if (number)
             quantity.constant = glm::dvec3(*number);
         else

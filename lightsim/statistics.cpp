@@ -23,6 +23,13 @@ EnergyLedger& EnergyLedger::operator+=(const EnergyLedger& other) {
     return *this;
 }
 
+EnergyLedger& EnergyLedger::operator*=(double factor) {
+    for (const auto row : kLedgerRows) {
+        this->*row *= factor;
+    }
+    return *this;
+}
+
 EnergyLedger EnergyLedger::ofBand(const glm::dvec3& toRgb) const {
     EnergyLedger result;
     for (const auto row : kLedgerRows) {

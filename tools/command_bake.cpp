@@ -115,6 +115,7 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     Progress progress(options);
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
+    requireVdbHolds(arguments.output, fields.lattice);
     const EffectSet effects = decideEffects(scene, fields);
     const LightSet lights = lightsOf(scene, effects);
     BakeOptions bakeOptions;

@@ -68,8 +68,8 @@ Clearance::Clearance(const gpu::Context& context, const Fields& fields, const Ef
     const FieldPyramid pyramid = fieldPyramidOf(fields);
     negligibleGradient_ = negligibleGradient(pyramid, rules.tolerance);
     const Box content = contentOf(pyramid, effects);
-    contentMin_ = content.min;
-    contentMax_ = content.max;
+    contentMin_ = fields.lattice.deviceFromWorld(content.min);
+    contentMax_ = fields.lattice.deviceFromWorld(content.max);
     const auto straight = clearanceOf(pyramid, [&](const FieldBrick& brick) {
         return holdsRays(brick, effects, negligibleGradient_);
     });

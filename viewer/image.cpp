@@ -80,7 +80,7 @@ viewer::March& ProgressiveImage::march() {
 }
 
 void ProgressiveImage::configureLight() {
-    light_.configure(batch_.view);
+    light_.configure(batch_.view, lattice_);
     passes_.configure(batch_.view, light_.isByBand() && !hasGreyMatter_);
 }
 
@@ -91,7 +91,7 @@ void ProgressiveImage::startOver() {
 
 void ProgressiveImage::setFrame(const glm::ivec2& size, const viewer::Tile& region) {
     region_ = region;
-    viewer::configureCamera(batch_.view, camera_, size);
+    viewer::configureCamera(batch_.view, camera_, lattice_, size);
     accumulate_.reserve(context_, region.pixels());
     toneMap_.reserve(context_, region.pixels());
     startOver();
@@ -99,7 +99,7 @@ void ProgressiveImage::setFrame(const glm::ivec2& size, const viewer::Tile& regi
 
 void ProgressiveImage::setCamera(const Camera& camera) {
     camera_ = camera;
-    viewer::configureCamera(batch_.view, camera, batch_.view.imageSize);
+    viewer::configureCamera(batch_.view, camera, lattice_, batch_.view.imageSize);
     startOver();
 }
 
@@ -178,7 +178,9 @@ void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Textur
     passes_.begin(0, sample_, batch_.view, fields_, light_);  // slices show the index at the reference wavelength
     bind();
     mark("paint");
-    painter_.run(batch_, look, picture);
+    viewer::LookSettings onDevice = look;
+    onDevice.slicePosition -= lattice_.middle()[look.sliceAxis];
+    painter_.run(batch_, onDevice, picture);
     mark({});
 }
 
