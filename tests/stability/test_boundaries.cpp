@@ -8,11 +8,14 @@ using test::expectSoundScene;
 using test::kBallInSmoke;
 
 TEST(StableBoundaries, IndexStepsOverOneVoxel) {
+    // The ball's focus is within it, in voxels of an eighth of its diameter: what samples tell of their light is off by 2.8 % at
+    // 16 voxels, and by 0.2 % at 32.
     for (const char* ior : {"2.4", "4"}) {
         for (const char* smooth : {"false", "0.5", "1.5"}) {
-            expectSoundScene(kBallInSmoke, {std::string("object.0.ior=") + ior, std::string("object.0.smooth=") + smooth});
+            expectSoundScene(kBallInSmoke, {std::string("object.0.ior=") + ior, std::string("object.0.smooth=") + smooth}, 0.04);
         }
     }
+    test::expectSound(test::bakedCase(kBallInSmoke, {"object.0.ior=4", "domain.resolution=32"}), 0.005);
 }
 
 TEST(StableBoundaries, NoSmoothingAtAll) {
@@ -43,7 +46,7 @@ TEST(StableBoundaries, IndicesBelowOne) {
 
 TEST(StableBoundaries, VeryLargeAndVerySmallIndices) {
     expectSoundScene(kBallInSmoke, {"object.0.ior=30", "domain.resolution=8"}, 0.05);
-    expectSoundScene(kBallInSmoke, {"object.0.ior=1e-3", "domain.resolution=8"}, 0.05);
+    expectSoundScene(kBallInSmoke, {"object.0.ior=1e-3"});
 }
 
 TEST(StableBoundaries, IndexNoiseFromVoxelToVoxel) {

