@@ -160,7 +160,10 @@ Quantity readQuantity(const toml::node& node, const std::string& key, const Limi
     return quantity;
 }
 
-std::string writeNumber(double value) { return fmt::format("{}", value); }
+std::string writeNumber(double value) {
+    const double unsignedZero = value == 0.0 ? 0.0 : value;  // -0 would read back as the integer 0
+    return fmt::format("{}", unsignedZero);
+}
 
 std::string writeString(const std::string& value) {
     std::string text = "\"";
@@ -175,9 +178,13 @@ std::string writeString(const std::string& value) {
     return text + "\"";
 }
 
-std::string writeVector(const glm::dvec2& value) { return fmt::format("[{}, {}]", value.x, value.y); }
+std::string writeVector(const glm::dvec2& value) {
+    return fmt::format("[{}, {}]", writeNumber(value.x), writeNumber(value.y));
+}
 
-std::string writeVector(const glm::dvec3& value) { return fmt::format("[{}, {}, {}]", value.x, value.y, value.z); }
+std::string writeVector(const glm::dvec3& value) {
+    return fmt::format("[{}, {}, {}]", writeNumber(value.x), writeNumber(value.y), writeNumber(value.z));
+}
 
 std::string writeQuantity(const Quantity& value, Bands bands) {
     if (value.expression)
