@@ -15,6 +15,7 @@
 #include "common/compose_layer.h"
 #include "common/error.h"
 #include "common/expression.h"
+#include "common/scene_limits.h"
 
 namespace eikonal {
 

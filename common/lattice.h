@@ -16,11 +16,7 @@ struct Lattice {
 
     glm::dvec3 max() const { return min + voxel * glm::dvec3(size); }
     glm::dvec3 extent() const { return voxel * glm::dvec3(size); }
-    glm::dvec3 middle() const { return min + 0.5 * extent(); }
     glm::dvec3 worldFromIndex(const glm::ivec3& index) const { return min + voxel * (glm::dvec3(index) + 0.5); }
-    /// Positions on the device are counted from the middle of the domain, so that single precision serves wherever it lies.
-    glm::dvec3 deviceFromWorld(const glm::dvec3& world) const { return world - middle(); }
-    glm::dvec3 worldFromDevice(const glm::dvec3& position) const { return position + middle(); }
     std::size_t count() const { return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z); }
     bool operator==(const Lattice&) const = default;
 };

@@ -25,12 +25,6 @@ struct SourcePosition {
 /// "file:line:column", or the file alone where there is no line.
 std::string describe(const SourcePosition& position);
 
-/// Largest magnitude of any number of a scene: single precision holds the product of two.
-inline constexpr double kLargestNumber = 1e15;
-/// Bounds of the refractive index. Light goes by steps of constant optical path, which the least index of a scene shortens, so
-/// that the time of a bake grows with the ratio of the largest index to the least, or to 1.
-inline constexpr double kLeastIor = 1e-5, kLargestIor = 1e3;
-
 /// A number or an expression in x, y, z, r, one per band: `0.4`, `[0.1, 0.8, 0.9]`, `"1 + 0.1*exp(-y)"`.
 struct Quantity {
     glm::dvec3 constant{0.0};

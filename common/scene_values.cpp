@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/expression.h"
+#include "common/scene_limits.h"
 #include "common/spelling.h"
 
 namespace eikonal {

@@ -51,9 +51,6 @@ struct VdbFile {
 /// empty, truncated or not VDB, and for grids too large to hold densely.
 VdbFile readVdb(const std::filesystem::path& path);
 
-/// Throws badInput for voxels below 1.4e-5 scene units, which the format does not hold: before a long computation.
-void requireVdbHolds(const std::filesystem::path& path, const Lattice& lattice);
-
 /// A grid to be written; size as the lattice's.
 struct NamedGrid {
     std::string name;
@@ -63,8 +60,7 @@ struct NamedGrid {
 };
 
 /// Writes grids on a lattice: active everywhere, also where a value equals the background, index i at the voxel's centre,
-/// blosc compression where the library has it. Throws failure for an unwritable folder or a full disk, and as
-/// requireVdbHolds.
+/// blosc compression where the library has it. Throws failure for an unwritable folder or a full disk.
 void writeVdb(const std::filesystem::path& path, const Lattice& lattice, const std::vector<NamedGrid>& grids,
               const Metadata& metadata);
 

@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/output_file.h"
 #include "common/vdb_io.h"
+#include "common/vdb_limits.h"
 
 namespace eikonal {
 namespace {

@@ -50,7 +50,6 @@ struct EnergyLedger {
     /// 1 - (absorbed + scattered + exited + reflected + culled)/entered; 0 where nothing entered.
     glm::dvec3 balance() const;
     EnergyLedger& operator+=(const EnergyLedger& other);
-    EnergyLedger& operator*=(double factor);
     /// Of a ledger of grey light, the linear Rec.709 when it is that of a spectral band.
     EnergyLedger ofBand(const glm::dvec3& toRgb) const;
 };

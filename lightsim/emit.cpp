@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/device_frame.h"
 #include "lightsim/point_source.h"
 
 namespace eikonal::bake {
@@ -56,7 +57,7 @@ double strongestOf(const dvec3& power) { return std::max({power.x, power.y, powe
 class GridBuilder {
 public:
     GridBuilder(const Lattice& lattice, double maxSide, double splitShare)
-        : lattice_{lattice.deviceFromWorld(lattice.min), lattice.voxel, lattice.size}, middle_(lattice.middle()),
+        : lattice_{deviceFromWorld(lattice, lattice.min), lattice.voxel, lattice.size}, middle_(middleOf(lattice)),
           maxSide_(maxSide), splitShare_(splitShare) {}
 
     void add(const DirectionalLight& light) { add(std::vector{light}); }

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "common/accuracy.h"
+#include "common/device_frame.h"
 #include "common/gpu_fields.h"
 #include "common/interrupt.h"
 #include "common/physics.h"
@@ -32,8 +33,8 @@ bool isInDomain(const bake::WavefrontPatch& patch, const Lattice& lattice) {
         high = glm::max(high, glm::dvec3(corner.x));
         travels = travels || corner.status <= PARTICLE_INSIDE;
     }
-    return travels && glm::all(glm::lessThan(lattice.worldFromDevice(low), lattice.max())) &&
-           glm::all(glm::greaterThan(lattice.worldFromDevice(high), lattice.min));
+    return travels && glm::all(glm::lessThan(worldFromDevice(lattice, low), lattice.max())) &&
+           glm::all(glm::greaterThan(worldFromDevice(lattice, high), lattice.min));
 }
 
 /// What is left of a patch's power: opaque matter keeps what it has stopped.
@@ -68,7 +69,7 @@ FrontPatch frontPatchOf(const bake::WavefrontPatch& patch, const bake::LaunchFra
     front.opticalTime = opticalTime;
     glm::vec3 travel(0.0f);
     for (std::size_t i = 0; i < front.corners.size(); ++i) {
-        front.corners[i] = glm::vec3(lattice.worldFromDevice(glm::dvec3(patch.corners[i].x)));
+        front.corners[i] = glm::vec3(worldFromDevice(lattice, glm::dvec3(patch.corners[i].x)));
         travel += patch.corners[i].w;
     }
     const auto& x = patch.corners;

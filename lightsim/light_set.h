@@ -20,23 +20,6 @@ LightSet lightsOf(const Scene& scene, const EffectSet& effects);
 /// The same with every light where its keyframes have it at a frame.
 LightSet lightsAt(const LightSet& lights, double frame);
 
-/// Calls visit(strength) with the power or irradiance of every light, which it may change.
-template <class Visit>
-void forEachStrength(LightSet& lights, const Visit& visit) {
-    for (Light& light : lights.lights) {
-        std::visit([&](auto& one) {
-            if constexpr (requires { one.irradiance; }) {
-                visit(one.irradiance);
-            } else {
-                visit(one.power);
-            }
-        }, light);
-    }
-    for (DirectionalLight& beam : lights.environment) {
-        visit(beam.irradiance);
-    }
-}
-
 struct NamedLightSet {
     std::string name;  ///< "light0", "light1", ..., "environment"
     LightSet lights;

@@ -29,7 +29,7 @@ void leavePowerUnits(BakeResult& result, double unit) {
             lobe.irradiance *= factor;
         }
     }
-    result.statistics.energy *= unit;
+    result.statistics.energy = result.statistics.energy * unit;
 }
 
 } // namespace eikonal::bake

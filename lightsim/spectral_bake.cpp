@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "common/spectral_fields.h"
+#include "lightsim/power_unit.h"
 
 namespace eikonal::bake {
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lightsim/bake.h"
+#include "lightsim/power_unit.h"
 
 namespace eikonal {
 
@@ -19,13 +20,6 @@ constexpr std::array kLedgerRows{
 EnergyLedger& EnergyLedger::operator+=(const EnergyLedger& other) {
     for (const auto row : kLedgerRows) {
         this->*row += other.*row;
-    }
-    return *this;
-}
-
-EnergyLedger& EnergyLedger::operator*=(double factor) {
-    for (const auto row : kLedgerRows) {
-        this->*row *= factor;
     }
     return *this;
 }
@@ -64,5 +58,16 @@ void BakeStatistics::addRun(const BakeStatistics& run) {
     device = run.device;
     memoryBytes = std::max(memoryBytes, run.memoryBytes);
 }
+
+namespace bake {
+
+EnergyLedger operator*(EnergyLedger ledger, double factor) {
+    for (const auto row : kLedgerRows) {
+        ledger.*row *= factor;
+    }
+    return ledger;
+}
+
+} // namespace bake
 
 } // namespace eikonal

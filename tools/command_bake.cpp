@@ -15,6 +15,7 @@
 #include "common/fields.h"
 #include "common/gpu/context.h"
 #include "common/output_file.h"
+#include "common/vdb_limits.h"
 #include "lightsim/front.h"
 #include "lightsim/per_light.h"
 #include "tools/bake_file.h"

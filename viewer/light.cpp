@@ -56,9 +56,8 @@ Light::Light(const gpu::Context& context, const BakedLight* bake, std::size_t ba
     for (const BandIrradiance& band : bake->bands) textures_->bands.push_back(bandTexture(context, band));
 }
 
-void Light::configure(gpu::ViewBlock& view, const Lattice& domain) const {
+void Light::configure(gpu::ViewBlock& view) const {
     if (!textures_) return;
-    view.lightMin = glm::vec3(domain.deviceFromWorld(textures_->lattice.min));
     view.lightScale = glm::vec3(1.0 / textures_->lattice.extent());
     view.opaqueOffset = float(textures_->lattice.voxel);
 }

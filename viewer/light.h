@@ -16,7 +16,7 @@ public:
     /// Uploads a bake; nullptr: no light, no texture. Its bands are used if there are `bandCount` of them.
     Light(const gpu::Context& context, const BakedLight* bake, std::size_t bandCount);
 
-    void configure(gpu::ViewBlock& view, const Lattice& domain) const;
+    void configure(gpu::ViewBlock& view) const;
     /// True if every band has a grid of its own.
     bool isByBand() const { return textures_ && !textures_->bands.empty(); }
     void bind() const;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/accuracy.h"
+#include "common/device_frame.h"
 #include "common/gpu_fields.h"
 #include "common/physics.h"
 #include "common/spectral_fields.h"
@@ -74,7 +75,7 @@ struct Tracer {
         fields.setWavelength(wavelengthOf(rays.front()));
         std::vector<gpu::GivenRay> rows(rays.size());
         std::transform(rays.begin(), rays.end(), rows.begin(), [this](const TraceRay& ray) {
-            return gpu::GivenRay{glm::vec3(lattice.deviceFromWorld(ray.origin)), 0.0f, glm::vec3(glm::normalize(ray.direction)), 0.0f};
+            return gpu::GivenRay{glm::vec3(deviceFromWorld(lattice, ray.origin)), 0.0f, glm::vec3(glm::normalize(ray.direction)), 0.0f};
         });
         given.upload(std::span<const gpu::GivenRay>(rows));
         batch.view.rayCount = gpu::uint(rays.size());
@@ -100,7 +101,7 @@ TraceStatus statusOf(gpu::uint status) {
 TraceResult resultOf(const gpu::RayState& state, const TraceRay& ray, const Lattice& lattice) {
     if (state.status == gpu::kMissed) return {.position = ray.origin, .direction = ray.direction};
     TraceResult result;
-    result.position = lattice.worldFromDevice(glm::dvec3(state.x));
+    result.position = worldFromDevice(lattice, glm::dvec3(state.x));
     result.direction = glm::normalize(glm::dvec3(state.w));
     result.opticalLength = state.opticalLength;
     result.length = state.pathLength;

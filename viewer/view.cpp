@@ -17,14 +17,14 @@ glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
 
 } // namespace
 
-void configureCamera(gpu::ViewBlock& view, const Camera& camera, const Lattice& domain, const glm::ivec2& imageSize) {
+void configureCamera(gpu::ViewBlock& view, const Camera& camera, const glm::ivec2& imageSize) {
     const glm::dvec3 forward = unitOr(camera.lookAt - camera.position, {0.0, 0.0, -1.0});
     const glm::dvec3 sideways = std::abs(forward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, -1.0);
     const glm::dvec3 fallback = glm::normalize(glm::cross(forward, sideways));
     const glm::dvec3 right = unitOr(glm::cross(forward, camera.up), fallback);
     const double halfHeight = std::tan(glm::radians(camera.fov) / 2.0);
     const double halfWidth = halfHeight * imageSize.x / imageSize.y;
-    view.cameraPosition = glm::vec3(domain.deviceFromWorld(camera.position));
+    view.cameraPosition = glm::vec3(camera.position);
     view.cameraForward = glm::vec3(forward);
     view.cameraRight = glm::vec3(right * halfWidth);
     view.cameraUp = glm::vec3(glm::cross(right, forward) * halfHeight);

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "common/lattice.h"
 #include "common/scene.h"
 #include "shaders/shared/view_blocks.h"
 
@@ -18,7 +17,7 @@ struct Tile {
 };
 
 /// Sets camera and image size. A camera that looks along `up`, or at its own position, gets another `up` or direction.
-void configureCamera(gpu::ViewBlock& view, const Camera& camera, const Lattice& domain, const glm::ivec2& imageSize);
+void configureCamera(gpu::ViewBlock& view, const Camera& camera, const glm::ivec2& imageSize);
 
 /// `filmStart`: pixels of the film before the tile's.
 void configureTile(gpu::ViewBlock& view, const Tile& tile, std::size_t filmStart);

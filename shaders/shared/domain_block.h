@@ -1,5 +1,5 @@
 #pragma once
-// Where the lattice of the fields lies. Positions are counted from its middle (common/lattice.h). std140: each vec3 is followed by the scalar that fills its row.
+// Where the lattice of the fields lies. std140: each vec3 is followed by the scalar that fills its row.
 
 #include "shaders/shared/bindings.h"
 
