@@ -15,10 +15,7 @@ using Bytes = std::span<const std::uint8_t>;
 /// The text of a scene; what it says is written and read again, and must say the same. Nothing is composed, no file opened.
 void readScene(Bytes bytes);
 
-/// A VDB file, in this process, as the reader process parses it. OpenVDB itself does not survive every file.
-void parseVdbFile(Bytes bytes);
-
-/// A VDB file as the program reads it: through the reader process.
+/// A VDB file as the program reads it: through the reader process, because OpenVDB does not survive every file.
 void readVdbFile(Bytes bytes);
 
 /// What a reader process that has run wild may send.
