@@ -15,6 +15,7 @@
 #include "common/compose_layer.h"
 #include "common/error.h"
 #include "common/expression.h"
+#include "common/scene_limits.h"
 
 namespace eikonal {
 
@@ -22,7 +23,7 @@ namespace eikonal {
 struct Term {
     std::string name;
     const Quantity* quantity = nullptr;
-    double low = 0.0, high = std::numeric_limits<double>::infinity();
+    double low = 0.0, high = kLargestNumber;
     bool lowAllowed = true;
 
     bool allows(const glm::dvec3& value) const {
@@ -31,10 +32,12 @@ struct Term {
                 return false;
         return true;
     }
-    std::string expected() const { return fmt::format("{} {:g}", lowAllowed ? ">=" : ">", low); }
+    std::string expected() const { return fmt::format("{} {:g} and < {:g}", lowAllowed ? ">=" : ">", low, high); }
 };
 
-inline Term iorTerm(const Quantity& ior) { return {.name = "ior", .quantity = &ior, .lowAllowed = false}; }
+inline Term iorTerm(const Quantity& ior) {
+    return {.name = "ior", .quantity = &ior, .low = kLeastIor, .high = kLargestIor, .lowAllowed = false};
+}
 inline Term notNegative(const std::string& name, const Quantity& quantity) {
     return {.name = name, .quantity = &quantity};
 }

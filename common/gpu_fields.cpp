@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/device_frame.h"
 #include "common/physics.h"
 #include "common/spectral_fields.h"
 #include "shaders/shared/bindings.h"
@@ -12,9 +13,9 @@ namespace {
 
 gpu::DomainBlock domainBlock(const Fields& fields) {
     gpu::DomainBlock block{};
-    block.domainMin = glm::vec3(fields.lattice.min);
+    block.domainMin = glm::vec3(deviceFromWorld(fields.lattice, fields.lattice.min));
     block.domainVoxel = float(fields.lattice.voxel);
-    block.domainMax = glm::vec3(fields.lattice.max());
+    block.domainMax = glm::vec3(deviceFromWorld(fields.lattice, fields.lattice.max()));
     block.domainIor = fields.iorUniform;
     block.domainScale = glm::vec3(1.0 / fields.lattice.extent());
     block.domainSize = fields.lattice.size;

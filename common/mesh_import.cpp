@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <unordered_map>
@@ -74,6 +75,18 @@ void addMesh(const fs::path& path, const aiMesh& source, Welder& welder) {
     }
 }
 
+/// The library looks for the end of a PLY header for ever.
+void requireEndOfHeader(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    constexpr std::size_t kLongestHeader = 1u << 20;
+    std::string start(kLongestHeader, '\0');
+    file.read(start.data(), std::streamsize(start.size()));
+    start.resize(std::size_t(file.gcount()));
+    if (start.starts_with("ply") && start.find("end_header") == std::string::npos)
+        throw badInput(fmt::format("{}: expected a PLY header that ends in 'end_header', found no such line: damaged file",
+                                   path.string()));
+}
+
 const aiScene* readScene(Assimp::Importer& importer, const fs::path& path) {
     // What differs between copies of a position would keep them from being welded.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
@@ -96,6 +109,7 @@ Mesh loadMesh(const fs::path& path) {
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored))
         throw badInput(fmt::format("{}: expected a mesh file (OBJ, PLY, STL, glTF), found no such file", path.string()));
+    requireEndOfHeader(path);
     Assimp::Importer importer;
     const aiScene* scene = readScene(importer, path);
     if (!scene)

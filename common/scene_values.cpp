@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/expression.h"
+#include "common/scene_limits.h"
 #include "common/spelling.h"
 
 namespace eikonal {
@@ -42,6 +43,11 @@ std::optional<double> plainNumber(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool all = error == std::errc() && end == text.data() + text.size();
     return all ? std::optional(value) : std::nullopt;
+}
+
+void requireMagnitude(double value, const toml::node& node, const std::string& key) {
+    if (std::abs(value) > kLargestNumber)
+        throw wrongValue(node, key, fmt::format("a number between {:g} and {:g}", -kLargestNumber, kLargestNumber));
 }
 
 template <int kCount>
@@ -100,6 +106,7 @@ double readNumber(const toml::node& node, const std::string& key, const Limits& 
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
     if (!value || !limits.contain(*value))
         throw wrongValue(node, key, "a number" + limits.text());
+    requireMagnitude(*value, node, key);
     return *value;
 }
 
@@ -138,6 +145,8 @@ Quantity readQuantity(const toml::node& node, const std::string& key, const Limi
         if (number && !limits.contain(*number))
             throw wrongValue(node, key, "a number" + limits.text());
         if (number)
+            requireMagnitude(*number, node, key);
+        if (number)
             quantity.constant = glm::dvec3(*number);
         else
             quantity.expression = Expression(text, quantity.where).text();
@@ -152,7 +161,10 @@ Quantity readQuantity(const toml::node& node, const std::string& key, const Limi
     return quantity;
 }
 
-std::string writeNumber(double value) { return fmt::format("{}", value); }
+std::string writeNumber(double value) {
+    const double unsignedZero = value == 0.0 ? 0.0 : value;  // -0 would read back as the integer 0
+    return fmt::format("{}", unsignedZero);
+}
 
 std::string writeString(const std::string& value) {
     std::string text = "\"";
@@ -167,9 +179,13 @@ std::string writeString(const std::string& value) {
     return text + "\"";
 }
 
-std::string writeVector(const glm::dvec2& value) { return fmt::format("[{}, {}]", value.x, value.y); }
+std::string writeVector(const glm::dvec2& value) {
+    return fmt::format("[{}, {}]", writeNumber(value.x), writeNumber(value.y));
+}
 
-std::string writeVector(const glm::dvec3& value) { return fmt::format("[{}, {}, {}]", value.x, value.y, value.z); }
+std::string writeVector(const glm::dvec3& value) {
+    return fmt::format("[{}, {}, {}]", writeNumber(value.x), writeNumber(value.y), writeNumber(value.z));
+}
 
 std::string writeQuantity(const Quantity& value, Bands bands) {
     if (value.expression)

@@ -1,6 +1,7 @@
 // Writing VDB files. Through io::Stream to a stream of ours: io::File::write reports nothing on a full disk.
 
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <system_error>
 
@@ -11,9 +12,13 @@
 #include "common/error.h"
 #include "common/output_file.h"
 #include "common/vdb_io.h"
+#include "common/vdb_limits.h"
 
 namespace eikonal {
 namespace {
+
+// OpenVDB takes transforms of a smaller determinant for singular, writing and reading.
+const double kLeastVoxel = std::cbrt(3.0 * openvdb::math::Tolerance<double>::value());
 
 openvdb::math::Transform::Ptr transformOf(const Lattice& lattice) {
     auto transform = openvdb::math::Transform::createLinearTransform(lattice.voxel);
@@ -94,9 +99,17 @@ void writeChecked(const OutputFile& output, const openvdb::GridCPtrVec& grids, c
 
 } // namespace
 
+void requireVdbHolds(const std::filesystem::path& path, const Lattice& lattice) {
+    if (!(lattice.voxel > kLeastVoxel))
+        throw badInput(fmt::format("{}: expected voxels of more than {:.2g} scene units, which is the least that a VDB file "
+                                   "holds, found {:.2g}: choose a smaller unit of length", path.string(), kLeastVoxel,
+                                   lattice.voxel));
+}
+
 void writeVdb(const std::filesystem::path& path, const Lattice& lattice, const std::vector<NamedGrid>& grids,
               const Metadata& metadata) {
     openvdb::initialize();
+    requireVdbHolds(path, lattice);
     OutputFile output(path);
     openvdb::GridCPtrVec list;
     for (const NamedGrid& named : grids) {

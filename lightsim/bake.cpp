@@ -11,6 +11,7 @@
 #include "lightsim/light_method.h"
 #include "lightsim/light_sums.h"
 #include "lightsim/lobes.h"
+#include "lightsim/power_unit.h"
 #include "lightsim/settings.h"
 #include "lightsim/spectral_bake.h"
 
@@ -128,8 +129,10 @@ BakeResult LightSimulator::bake(const LightSet& lights) {
                               });
 }
 
-BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& lights, const BakeOptions& options) {
+BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& sceneLights, const BakeOptions& options) {
     const auto start = Clock::now();
+    const double powerUnit = bake::powerUnitOf(sceneLights);
+    const LightSet lights = bake::inPowerUnits(sceneLights, powerUnit);
     BakeResult result{darkness(fields.lattice, options.eikonal), {}, {}};
     result.statistics.device = context_.rendererName();
     const bake::Criteria criteria = bake::criteriaOf(accuracy_, fields);
@@ -148,6 +151,7 @@ BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& lights, 
                                 result.statistics.energy);
     }
     context_.throwIfError();
+    bake::leavePowerUnits(result, powerUnit);
     result.statistics.seconds.total = secondsSince(start);
     return result;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/device_frame.h"
 #include "lightsim/point_source.h"
 
 namespace eikonal::bake {
@@ -56,18 +57,19 @@ double strongestOf(const dvec3& power) { return std::max({power.x, power.y, powe
 class GridBuilder {
 public:
     GridBuilder(const Lattice& lattice, double maxSide, double splitShare)
-        : lattice_(lattice), maxSide_(maxSide), splitShare_(splitShare) {}
+        : lattice_{deviceFromWorld(lattice, lattice.min), lattice.voxel, lattice.size}, middle_(middleOf(lattice)),
+          maxSide_(maxSide), splitShare_(splitShare) {}
 
     void add(const DirectionalLight& light) { add(std::vector{light}); }
 
     void add(const PointLight& light) {
         grids_.emitted += light.power;
-        push(framesOf(pointSourceOf(light)), 1, kNoLimit);
+        push(framesOf(onDevice(pointSourceOf(light))), 1, kNoLimit);
     }
 
     void add(const SpotLight& light) {
         grids_.emitted += light.power;
-        push(framesOf(pointSourceOf(light)), 1, strongestOf(light.power));
+        push(framesOf(onDevice(pointSourceOf(light))), 1, strongestOf(light.power));
     }
 
     void add(const RectangleLight& light) {
@@ -75,7 +77,7 @@ public:
         const std::vector<PointSource> sources = pointSourcesOf(light);
         std::vector<LaunchFrame> frames;
         for (const PointSource& source : sources) {
-            const std::vector<LaunchFrame> more = framesOf(source);
+            const std::vector<LaunchFrame> more = framesOf(onDevice(source));
             frames.insert(frames.end(), more.begin(), more.end());
         }
         push(frames, sources.size(), strongestOf(light.power));
@@ -95,6 +97,11 @@ public:
 
 private:
     static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+    PointSource onDevice(PointSource source) const {
+        source.position -= middle_;
+        return source;
+    }
 
     LaunchFrame beamFrame(const DirectionalLight& light) const {
         const dvec3 direction = glm::normalize(light.direction);
@@ -252,7 +259,8 @@ private:
         grids_.strongestPower += bound;
     }
 
-    const Lattice& lattice_;
+    Lattice lattice_;  ///< of the domain, about the origin, as positions on the device are
+    dvec3 middle_;     ///< where in the world that is
     double maxSide_;
     double splitShare_;
     LaunchGrids grids_;

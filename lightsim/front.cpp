@@ -5,10 +5,12 @@
 #include <tuple>
 
 #include "common/accuracy.h"
+#include "common/device_frame.h"
 #include "common/gpu_fields.h"
 #include "common/interrupt.h"
 #include "common/physics.h"
 #include "lightsim/emit.h"
+#include "lightsim/power_unit.h"
 #include "lightsim/settings.h"
 #include "lightsim/wavefront.h"
 
@@ -31,7 +33,8 @@ bool isInDomain(const bake::WavefrontPatch& patch, const Lattice& lattice) {
         high = glm::max(high, glm::dvec3(corner.x));
         travels = travels || corner.status <= PARTICLE_INSIDE;
     }
-    return travels && glm::all(glm::lessThan(low, lattice.max())) && glm::all(glm::greaterThan(high, lattice.min));
+    return travels && glm::all(glm::lessThan(worldFromDevice(lattice, low), lattice.max())) &&
+           glm::all(glm::greaterThan(worldFromDevice(lattice, high), lattice.min));
 }
 
 /// What is left of a patch's power: opaque matter keeps what it has stopped.
@@ -60,16 +63,17 @@ bool isFolded(const bake::WavefrontPatch& patch, const bake::LaunchFrame& frame)
     return patch.orientation != 0u && patch.orientation != launched;
 }
 
-FrontPatch frontPatchOf(const bake::WavefrontPatch& patch, const bake::LaunchFrame& frame, double opticalTime) {
+FrontPatch frontPatchOf(const bake::WavefrontPatch& patch, const bake::LaunchFrame& frame, const Lattice& lattice,
+                        double opticalTime) {
     FrontPatch front;
     front.opticalTime = opticalTime;
     glm::vec3 travel(0.0f);
     for (std::size_t i = 0; i < front.corners.size(); ++i) {
-        front.corners[i] = patch.corners[i].x;
+        front.corners[i] = glm::vec3(worldFromDevice(lattice, glm::dvec3(patch.corners[i].x)));
         travel += patch.corners[i].w;
     }
-    const auto& x = front.corners;
-    const float covered = f32::coveredSection(x[0], x[1], x[2], x[3], glm::normalize(travel));
+    const auto& x = patch.corners;
+    const float covered = f32::coveredSection(x[0].x, x[1].x, x[2].x, x[3].x, glm::normalize(travel));
     front.irradiance = patch.power * shareOf(patch) / std::max(covered, 1e-30f);
     front.folded = isFolded(patch, frame);
     front.launchFrame = patch.frameIndex;
@@ -103,7 +107,7 @@ std::vector<FrontPatch> frontAt(double opticalTime, bake::Wavefront& wavefront, 
             const bake::LaunchFrame& frame = grids.frames[patch.frameIndex];
             const bool arrived = patch.stepCount == settings.maxSteps && isInDomain(patch, lattice);
             if (arrived && isSurface(patch, frame, settings)) {
-                front.push_back(frontPatchOf(patch, frame, opticalTime));
+                front.push_back(frontPatchOf(patch, frame, lattice, opticalTime));
             }
         }
         state = wavefront.state();
@@ -125,8 +129,10 @@ std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene
         accuracy.deposit = Deposit::kSplat;
     }
     const bake::Criteria criteria = bake::criteriaOf(accuracy, fields);
+    const LightSet lights = lightsAt(lightsOf(scene, effects), 0.0);
+    const double powerUnit = bake::powerUnitOf(lights);
     const bake::LaunchGrids grids =
-        bake::launchGrids(lightsAt(lightsOf(scene, effects), 0.0), fields.lattice, criteria.maxSide, criteria.splitShare);
+        bake::launchGrids(bake::inPowerUnits(lights, powerUnit), fields.lattice, criteria.maxSide, criteria.splitShare);
     if (!(grids.strongestPower > 0.0)) {
         return {};
     }
@@ -145,6 +151,9 @@ std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene
         fronts.insert(fronts.end(), front.begin(), front.end());
     }
     context.throwIfError();
+    for (FrontPatch& patch : fronts) {
+        patch.irradiance *= float(powerUnit);
+    }
     return fronts;
 }
 

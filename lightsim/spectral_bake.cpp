@@ -6,30 +6,15 @@
 
 #include "common/error.h"
 #include "common/spectral_fields.h"
+#include "lightsim/power_unit.h"
 
 namespace eikonal::bake {
 
 namespace {
 
-glm::dvec3& strengthOf(DirectionalLight& light) { return light.irradiance; }
-
-template <class Powered>
-glm::dvec3& strengthOf(Powered& light) {
-    return light.power;
-}
-
 /// The lights with what they have in one channel in all three.
 LightSet lightsOfBand(LightSet lights, int channel) {
-    const auto makeGrey = [channel](auto& light) {
-        glm::dvec3& strength = strengthOf(light);
-        strength = glm::dvec3(strength[channel]);
-    };
-    for (Light& light : lights.lights) {
-        std::visit(makeGrey, light);
-    }
-    for (DirectionalLight& beam : lights.environment) {
-        makeGrey(beam);
-    }
+    forEachStrength(lights, [channel](glm::dvec3& strength) { strength = glm::dvec3(strength[channel]); });
     return lights;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lightsim/bake.h"
+#include "lightsim/power_unit.h"
 
 namespace eikonal {
 
@@ -57,5 +58,16 @@ void BakeStatistics::addRun(const BakeStatistics& run) {
     device = run.device;
     memoryBytes = std::max(memoryBytes, run.memoryBytes);
 }
+
+namespace bake {
+
+EnergyLedger operator*(EnergyLedger ledger, double factor) {
+    for (const auto row : kLedgerRows) {
+        ledger.*row *= factor;
+    }
+    return ledger;
+}
+
+} // namespace bake
 
 } // namespace eikonal

@@ -15,6 +15,7 @@
 #include "common/fields.h"
 #include "common/gpu/context.h"
 #include "common/output_file.h"
+#include "common/vdb_limits.h"
 #include "lightsim/front.h"
 #include "lightsim/per_light.h"
 #include "tools/bake_file.h"
@@ -115,6 +116,7 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     Progress progress(options);
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
+    requireVdbHolds(arguments.output, fields.lattice);
     const EffectSet effects = decideEffects(scene, fields);
     const LightSet lights = lightsOf(scene, effects);
     BakeOptions bakeOptions;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/device_frame.h"
+
 namespace eikonal::viewer {
 
 namespace {
@@ -68,8 +70,8 @@ Clearance::Clearance(const gpu::Context& context, const Fields& fields, const Ef
     const FieldPyramid pyramid = fieldPyramidOf(fields);
     negligibleGradient_ = negligibleGradient(pyramid, rules.tolerance);
     const Box content = contentOf(pyramid, effects);
-    contentMin_ = content.min;
-    contentMax_ = content.max;
+    contentMin_ = deviceFromWorld(fields.lattice, content.min);
+    contentMax_ = deviceFromWorld(fields.lattice, content.max);
     const auto straight = clearanceOf(pyramid, [&](const FieldBrick& brick) {
         return holdsRays(brick, effects, negligibleGradient_);
     });

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "common/accuracy.h"
+#include "common/device_frame.h"
 #include "common/environment_map.h"
 #include "common/spectral_fields.h"
 
@@ -35,6 +36,10 @@ std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const
                              {.tolerance = scene.accuracy.tolerance, .lit = bake != nullptr});
 }
 
+void placeLight(gpu::ViewBlock& view, const BakedLight& bake, const Lattice& domain) {
+    view.lightMin = glm::vec3(deviceFromWorld(domain, bake.lattice.min));
+}
+
 bool hasGreyMatter(const Fields& fields) {
     return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
 }
@@ -57,6 +62,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
     view.minThroughput = float(options.minThroughput);
     environment_.configure(view);
     configureLight();
+    if (bake) placeLight(view, *bake, lattice_);
     if (clearance_) clearance_->configure(view);
     march().configure(view);
     setExposure(scene.render.exposureEv);
@@ -91,7 +97,7 @@ void ProgressiveImage::startOver() {
 
 void ProgressiveImage::setFrame(const glm::ivec2& size, const viewer::Tile& region) {
     region_ = region;
-    viewer::configureCamera(batch_.view, camera_, size);
+    viewer::configureCamera(batch_.view, deviceFromWorld(lattice_, camera_), size);
     accumulate_.reserve(context_, region.pixels());
     toneMap_.reserve(context_, region.pixels());
     startOver();
@@ -99,7 +105,7 @@ void ProgressiveImage::setFrame(const glm::ivec2& size, const viewer::Tile& regi
 
 void ProgressiveImage::setCamera(const Camera& camera) {
     camera_ = camera;
-    viewer::configureCamera(batch_.view, camera, batch_.view.imageSize);
+    viewer::configureCamera(batch_.view, deviceFromWorld(lattice_, camera), batch_.view.imageSize);
     startOver();
 }
 
@@ -107,6 +113,7 @@ void ProgressiveImage::setLight(const BakedLight& bake) {
     assert(!light_.defines().empty());
     light_ = viewer::Light(context_, &bake, passes_.bandCount());
     configureLight();
+    placeLight(batch_.view, bake, lattice_);
     startOver();
 }
 
@@ -178,7 +185,9 @@ void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Textur
     passes_.begin(0, sample_, batch_.view, fields_, light_);  // slices show the index at the reference wavelength
     bind();
     mark("paint");
-    painter_.run(batch_, look, picture);
+    viewer::LookSettings onDevice = look;
+    onDevice.slicePosition -= middleOf(lattice_)[look.sliceAxis];
+    painter_.run(batch_, onDevice, picture);
     mark({});
 }
 

@@ -58,7 +58,6 @@ Light::Light(const gpu::Context& context, const BakedLight* bake, std::size_t ba
 
 void Light::configure(gpu::ViewBlock& view) const {
     if (!textures_) return;
-    view.lightMin = glm::vec3(textures_->lattice.min);
     view.lightScale = glm::vec3(1.0 / textures_->lattice.extent());
     view.opaqueOffset = float(textures_->lattice.voxel);
 }

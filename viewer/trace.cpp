@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/accuracy.h"
+#include "common/device_frame.h"
 #include "common/gpu_fields.h"
 #include "common/physics.h"
 #include "common/spectral_fields.h"
@@ -37,6 +38,7 @@ std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const
 
 /// The kernels and buffers that rays are followed with, batch after batch.
 struct Tracer {
+    Lattice lattice;
     GpuFields fields;
     std::optional<viewer::Clearance> clearance;
     std::vector<std::string> defines;
@@ -47,7 +49,7 @@ struct Tracer {
 
     Tracer(const gpu::Context& context, const Fields& sceneFields, const EffectSet& effects,
            const Accuracy& accuracy, StraightFlights flights, std::uint32_t stepsPerSlice, std::size_t capacity)
-        : fields(context, sceneFields, tracedEffects(effects)),
+        : lattice(sceneFields.lattice), fields(context, sceneFields, tracedEffects(effects)),
           clearance(clearanceFor(context, sceneFields, effects, accuracy, flights)),
           defines(allDefines()), batch(context, capacity),
           given(context, capacity * sizeof(gpu::GivenRay), "given rays"),
@@ -72,8 +74,8 @@ struct Tracer {
     void start(std::span<const TraceRay> rays) {
         fields.setWavelength(wavelengthOf(rays.front()));
         std::vector<gpu::GivenRay> rows(rays.size());
-        std::transform(rays.begin(), rays.end(), rows.begin(), [](const TraceRay& ray) {
-            return gpu::GivenRay{glm::vec3(ray.origin), 0.0f, glm::vec3(glm::normalize(ray.direction)), 0.0f};
+        std::transform(rays.begin(), rays.end(), rows.begin(), [this](const TraceRay& ray) {
+            return gpu::GivenRay{glm::vec3(deviceFromWorld(lattice, ray.origin)), 0.0f, glm::vec3(glm::normalize(ray.direction)), 0.0f};
         });
         given.upload(std::span<const gpu::GivenRay>(rows));
         batch.view.rayCount = gpu::uint(rays.size());
@@ -96,10 +98,10 @@ TraceStatus statusOf(gpu::uint status) {
     }
 }
 
-TraceResult resultOf(const gpu::RayState& state, const TraceRay& ray) {
+TraceResult resultOf(const gpu::RayState& state, const TraceRay& ray, const Lattice& lattice) {
     if (state.status == gpu::kMissed) return {.position = ray.origin, .direction = ray.direction};
     TraceResult result;
-    result.position = glm::dvec3(state.x);
+    result.position = worldFromDevice(lattice, glm::dvec3(state.x));
     result.direction = glm::normalize(glm::dvec3(state.w));
     result.opticalLength = state.opticalLength;
     result.length = state.pathLength;
@@ -144,13 +146,13 @@ std::vector<std::vector<TraceResult>> batchPaths(Tracer& tracer, std::span<const
     tracer.start(rays);
     auto before = tracer.states();
     std::vector<std::vector<TraceResult>> paths(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) paths[i].push_back(resultOf(before[i], rays[i]));
+    for (std::size_t i = 0; i < rays.size(); ++i) paths[i].push_back(resultOf(before[i], rays[i], tracer.lattice));
     const auto underWay = [](const gpu::RayState& state) { return state.status == gpu::kMarching; };
     for (std::uint32_t slice = 0; std::any_of(before.begin(), before.end(), underWay); ++slice) {
         const bool more = tracer.march.runSlice(tracer.batch, slice);
         auto after = tracer.states();
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (underWay(before[i])) paths[i].push_back(resultOf(after[i], rays[i]));
+            if (underWay(before[i])) paths[i].push_back(resultOf(after[i], rays[i], tracer.lattice));
         }
         before = std::move(after);
         if (!more) break;
@@ -180,7 +182,7 @@ std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fi
         tracer.start(batch.rays);
         tracer.march.run(tracer.batch);
         const auto states = tracer.states();
-        for (std::size_t i = 0; i < states.size(); ++i) results[batch.rows[i]] = resultOf(states[i], batch.rays[i]);
+        for (std::size_t i = 0; i < states.size(); ++i) results[batch.rows[i]] = resultOf(states[i], batch.rays[i], tracer.lattice);
     }
     context.throwIfError();
     return results;

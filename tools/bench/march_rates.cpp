@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/accuracy.h"
+#include "common/device_frame.h"
 #include "common/error.h"
 #include "common/gpu_fields.h"
 #include "viewer/clearance.h"
@@ -43,7 +44,7 @@ public:
           fetching_(context, "bench/dependent_fetch.comp.glsl", fields_.defines()),
           fetchesPerRay_(gpu::uint(std::ceil(glm::length(glm::dvec3(fields.lattice.size)) / std::sqrt(3.0) /
                                              stepVoxelsOf(scene.accuracy)))) {
-        viewer::configureCamera(batch_.view, scene.camera, scene.render.size);
+        viewer::configureCamera(batch_.view, deviceFromWorld(fields.lattice, scene.camera), scene.render.size);
         viewer::configureTile(batch_.view, {{0, 0}, scene.render.size}, 0);
         viewer::configureSample(batch_.view, 0, viewer::PixelFilter::kBox);
         clearance_.configure(batch_.view);
