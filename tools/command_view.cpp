@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include "common/error.h"
 #include "common/interrupt.h"
@@ -11,6 +12,7 @@
 #include "tools/frame_name.h"
 #include "tools/scene_arguments.h"
 #include "tools/terminal.h"
+#include "tools/view_statistics.h"
 #include "viewer/window/turntable.h"
 #include "viewer/window/viewer.h"
 
@@ -20,7 +22,7 @@ namespace {
 
 struct ViewArguments {
     SceneArguments scene;
-    std::string script, record, out;
+    std::string script, record, statistics, out;
     int frames = 0;
     double frameMilliseconds = 33.0;
 };
@@ -48,6 +50,7 @@ void runTurntable(const ViewArguments& arguments, const ProgramOptions& program)
 }
 
 void runWindow(const ViewArguments& arguments) {
+    if (!arguments.statistics.empty()) requireWritable(arguments.statistics);
     window::ViewOptions options;
     options.file = arguments.scene.file;
     // The window's size, unless --size says otherwise after it.
@@ -61,7 +64,8 @@ void runWindow(const ViewArguments& arguments) {
         fmt::print("{}\n", line);
         std::fflush(stdout);
     };
-    window::viewScene(options);
+    const window::ResponseRecord response = window::viewScene(options);
+    if (!arguments.statistics.empty()) writeFile(arguments.statistics, viewJson(response).dump(2) + "\n");
 }
 
 } // namespace
@@ -77,6 +81,7 @@ void addViewCommand(CLI::App& program, const ProgramOptions& options) {
         ->check(CLI::PositiveNumber);
     command->add_option("--script", arguments->script, "replay recorded input (docs/viewer.md)")->type_name("FILE");
     command->add_option("--record", arguments->record, "write what is done in the window, to replay it")->type_name("FILE");
+    command->add_option("--stats", arguments->statistics, "write how quickly the window answered, as JSON")->type_name("FILE.json");
     CLI::Option* frames =
         command->add_option("--frames", arguments->frames, "no window: a turn around the scene in so many images")
             ->type_name("N")

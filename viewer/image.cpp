@@ -50,7 +50,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
       batch_(context, options.tileRays),
       generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
-      stepVoxels_(stepVoxelsOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
+      steps_(stepVoxelsOf(scene.accuracy), 1.0), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
@@ -71,10 +71,11 @@ std::vector<std::string> ProgressiveImage::allDefines() const {
 }
 
 viewer::March& ProgressiveImage::march() {
-    auto found = marches_.find(stepVoxels_);
+    auto found = marches_.find(steps_);
     if (found == marches_.end()) {
-        const viewer::MarchSettings settings{stepVoxels_, options_.maxEvaluations, options_.stepsPerSlice};
-        found = marches_.emplace(stepVoxels_, viewer::March(context_, allDefines(), settings, lattice_)).first;
+        const auto [step, matter] = steps_;
+        const viewer::MarchSettings settings{step, matter, options_.maxEvaluations, options_.stepsPerSlice};
+        found = marches_.emplace(steps_, viewer::March(context_, allDefines(), settings, lattice_)).first;
     }
     return found->second;
 }
@@ -110,8 +111,8 @@ void ProgressiveImage::setLight(const BakedLight& bake) {
     startOver();
 }
 
-void ProgressiveImage::setStep(double stepVoxels) {
-    stepVoxels_ = stepVoxels;
+void ProgressiveImage::setStep(double stepVoxels, double matterVoxels) {
+    steps_ = {stepVoxels, matterVoxels};
     march().configure(batch_.view);
     startOver();
 }

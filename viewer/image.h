@@ -39,8 +39,9 @@ public:
     void setCamera(const Camera& camera);
     /// Another bake, on any lattice. The image must have been made with one.
     void setLight(const BakedLight& bake);
-    /// Arc length of a step [voxels]. Throws badInput for one that is not positive.
-    void setStep(double stepVoxels);
+    /// Arc length of a step, and longest piece on which matter is sampled once [voxels]. Throws badInput for a step that is not
+    /// positive.
+    void setStep(double stepVoxels, double matterVoxels = 1.0);
     /// Factor 2^ev on what is displayed; the film stays.
     void setExposure(double ev);
 
@@ -89,8 +90,9 @@ private:
     std::optional<viewer::Clearance> clearance_;
     viewer::RayBatch batch_;
     viewer::Generate generate_;
-    std::map<double, viewer::March> marches_;  ///< by step [voxels]
-    double stepVoxels_;
+    using Steps = std::pair<double, double>;   ///< of rays, between samples of matter [voxels]
+    std::map<Steps, viewer::March> marches_;
+    Steps steps_;
     viewer::Shade shade_;
     viewer::Accumulate accumulate_;
     viewer::ToneMapper toneMap_;

@@ -23,8 +23,9 @@ double checkedStep(double stepVoxels) {
     return stepVoxels;
 }
 
-std::uint32_t samplesPerHalfOf(double stepVoxels) {
-    return stepVoxels <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * stepVoxels, 256.0)));
+std::uint32_t samplesPerHalfOf(const MarchSettings& settings) {
+    const double pieces = checkedStep(settings.stepVoxels) / settings.matterVoxels;
+    return pieces <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * pieces, 256.0)));
 }
 
 std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& lattice) {
@@ -43,8 +44,9 @@ std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::ui
     return 1 + samples * (has("LIGHT_LOBES") ? 1 + kVoxelsAbout : 1);
 }
 
-std::vector<std::string> withSamples(std::vector<std::string> defines, std::uint32_t samplesPerHalf) {
-    defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalf));
+std::vector<std::string> withSamples(std::vector<std::string> defines, const MarchSettings& settings) {
+    defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalfOf(settings)));
+    if (settings.matterVoxels != 1.0) defines.push_back("MATTER_VOXELS " + std::to_string(settings.matterVoxels));
     return defines;
 }
 
@@ -52,12 +54,12 @@ std::vector<std::string> withSamples(std::vector<std::string> defines, std::uint
 
 March::March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
              const Lattice& lattice)
-    : samplesPerHalf_(samplesPerHalfOf(checkedStep(settings.stepVoxels))),
+    : samplesPerHalf_(samplesPerHalfOf(settings)),
       maxEvaluations_(evaluationLimit(settings, lattice)),
       stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
                                                 : kIterationsPerDispatch / iterationsPerStep(defines, samplesPerHalf_)),
       stepLength_(settings.stepVoxels * lattice.voxel),
-      kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)),
+      kernel_(context, "viewer/march.comp.glsl", withSamples(defines, settings)),
       groups_{gpu::Buffer(context, sizeof(glm::uvec3), "march groups"),
               gpu::Buffer(context, sizeof(glm::uvec3), "march groups")} {}
 

@@ -33,6 +33,7 @@ std::vector<KernelVariant> variants() {
     for (const auto& subset : subsets) {
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 2"}));
+        rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0", "MATTER_VOXELS 2.000000"}));
         rows.push_back(test::variant("viewer/shade.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));

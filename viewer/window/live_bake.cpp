@@ -49,6 +49,7 @@ struct LiveBake::Worker {
     EffectSet effects;
     std::optional<Fields> coarseFields;
     std::unique_ptr<LightSimulator> coarseSimulator, fineSimulator;
+    std::uint64_t number = 0;  ///< of the request under way
 
     std::unique_ptr<LightSimulator> simulator(const Scene& scene, const Fields& on, bool mayGiveUp) {
         BakeOptions options;
@@ -90,7 +91,7 @@ struct LiveBake::Worker {
 
     void deliver(BakeResult result, bool isCoarse) {
         const std::lock_guard lock(owner.mutex_);
-        owner.done_ = LiveLight{std::move(result.light), isCoarse, result.statistics.seconds.total};
+        owner.done_ = LiveLight{std::move(result.light), isCoarse, result.statistics.seconds.total, number};
     }
 };
 
@@ -105,14 +106,17 @@ LiveBake::~LiveBake() {
     thread_.join();
 }
 
-void LiveBake::start(BakeRequest request) {
+std::uint64_t LiveBake::start(BakeRequest request) {
+    std::uint64_t number = 0;
     {
         const std::lock_guard lock(mutex_);
         next_ = std::move(request);
+        number = ++requests_;
         newer_ = true;
         working_ = true;
     }
     wake_.notify_one();
+    return number;
 }
 
 std::optional<LiveLight> LiveBake::take() {
@@ -137,11 +141,13 @@ void LiveBake::work() {
         wake_.wait(lock, [&] { return stop_ || next_; });
         if (stop_) return;
         const BakeRequest request = *std::exchange(next_, std::nullopt);
+        const std::uint64_t number = requests_;
         newer_ = false;
         lock.unlock();
         std::optional<std::string> error;
         try {
             if (!worker) worker.emplace(Worker{.owner = *this});
+            worker->number = number;
             worker->bake(request);
         } catch (const GivenUp&) {
         } catch (const std::exception& failed) {

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -29,6 +30,7 @@ struct LiveLight {
     BakedLight light;
     bool coarse = false;
     double seconds = 0.0;
+    std::uint64_t request = 0;  ///< that it answers
 };
 
 class LiveBake {
@@ -39,8 +41,8 @@ public:
     ~LiveBake();
 
     /// Bakes for this scene from now on. A coarse bake under way is finished, so that a light that is dragged without a
-    /// rest shows too; a fine one is given up.
-    void start(BakeRequest request);
+    /// rest shows too; a fine one is given up. Returns the request's number; numbers ascend.
+    std::uint64_t start(BakeRequest request);
     /// The newest light that is done and was not taken yet.
     std::optional<LiveLight> take();
     /// Why the latest bake failed, once.
@@ -57,6 +59,7 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<BakeRequest> next_;
+    std::uint64_t requests_ = 0;
     std::optional<LiveLight> done_;
     std::optional<std::string> error_;
     bool working_ = false;

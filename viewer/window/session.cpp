@@ -14,7 +14,8 @@ using Clock = std::chrono::steady_clock;
 
 // A coarse ray takes steps of twice the length. Longer ones would pass boundaries without being bent by them.
 constexpr double kCoarseStep = 2.0;
-constexpr double kCoarseCost = 0.6;  // of a fine ray: matter is sampled once a voxel by both
+constexpr double kCoarseMatter = 2.0;  // voxels between samples of matter, which takes most of a ray's time in smoke
+constexpr double kCoarseCost = 0.5;    // of a fine ray
 
 constexpr double kNoLimit = 3600.0;  // seconds
 
@@ -80,7 +81,11 @@ void Session::repaint() {
 
 void Session::begin(const Detail& detail) {
     current_ = detail;
-    image_.setStep(detail.fine ? fineStep_ : kCoarseStep * fineStep_);
+    if (detail.fine) {
+        image_.setStep(fineStep_);
+    } else {
+        image_.setStep(kCoarseStep * fineStep_, kCoarseMatter);
+    }
     image_.setFrame(detail.size, {{0, 0}, detail.size});
 }
 

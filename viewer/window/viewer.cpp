@@ -22,6 +22,7 @@ Viewer::Viewer(const ViewOptions& options)
 
 bool Viewer::frame() {
     throwIfInterrupted();
+    cameraMoved_ = false;
     takeEvents();
     followFiles();
     advanceTime();
@@ -36,10 +37,17 @@ bool Viewer::frame() {
     }
     window_.context().throwIfError();
     ++frameNumber_;
-    const auto now = Clock::now();
-    frameSeconds_ = std::chrono::duration<double>(now - frameStart_).count();
-    frameStart_ = now;
+    noteResponse();
     return !closing_;
+}
+
+void Viewer::noteResponse() {
+    const Instant now = instantNow();
+    const Instant took = now - frameStart_;
+    response_.frameEnded(took, session_->shown().size, cameraMoved_);
+    if (light_) response_.lightShown(light_->request, now);
+    if (isSettled()) response_.refined(now);
+    frameSeconds_ = took.clock;
 }
 
 void Viewer::finish() const {
@@ -50,12 +58,13 @@ void Viewer::finish() const {
     writeFile(options_.record, text);
 }
 
-void viewScene(const ViewOptions& options) {
+ResponseRecord viewScene(const ViewOptions& options) {
     if (!options.record.empty()) requireWritable(options.record);
     Viewer viewer(options);
     while (viewer.frame()) {
     }
     viewer.finish();
+    return viewer.response();
 }
 
 } // namespace eikonal::window

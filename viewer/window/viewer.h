@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "viewer/window/response.h"
+
 namespace eikonal::window {
 
 struct ViewOptions {
@@ -18,8 +20,8 @@ struct ViewOptions {
     std::function<void(const std::string&)> print;  ///< a line for the person: the camera, what was saved
 };
 
-/// Opens the window and returns when it is closed. Throws Error(kNoDevice) without display or OpenGL 4.5, badInput for a
+/// Opens the window and returns, with how quickly it answered, when it is closed. Throws Error(kNoDevice) without display or OpenGL 4.5, badInput for a
 /// scene or recording that cannot be read.
-void viewScene(const ViewOptions& options);
+ResponseRecord viewScene(const ViewOptions& options);
 
 } // namespace eikonal::window

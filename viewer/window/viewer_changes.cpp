@@ -27,13 +27,15 @@ void Viewer::setCamera(const Camera& camera) {
     session_->setCamera(camera);
     costs_.clear();
     rayPointer_.reset();
+    cameraMoved_ = true;
+    response_.changed(frameStart_);
 }
 
 void Viewer::moveLight(std::size_t index) {
     if (!controls_.hasMoved()) return;
     const glm::dvec2 at = placeOf(controls_.pointer());
     document_.setLight(index, draggedTo(scene().lights[index], domain(), scene().camera, at, aspect()));
-    startBake();
+    if (const std::uint64_t request = startBake(); request > 0) response_.lightDragged(request, frameStart_);
 }
 
 void Viewer::apply(const std::vector<std::string>& overrides) {
@@ -60,9 +62,11 @@ void Viewer::redo(const Redo& redo) {
     if (redo.light) startBake();
 }
 
-void Viewer::startBake() {
+std::uint64_t Viewer::startBake() {
     rayPaths_.clear();
-    if (document_.wantsLight()) bake_.start({scene(), document_.fields(), document_.effects(), playing_.value_or(0.0)});
+    response_.changed(frameStart_);
+    if (!document_.wantsLight()) return 0;
+    return bake_.start({scene(), document_.fields(), document_.effects(), playing_.value_or(0.0)});
 }
 
 void Viewer::takeLight() {

@@ -55,6 +55,7 @@ void Viewer::takeEvents() {
     const bool idle = !script_ && !playing_ && session_->isRefined() && !controls_.flown(scene().camera, 1.0);
     const double wait = idle ? (bake_.isBusy() ? kBakingSeconds : kIdleSeconds) : 0.0;
     std::vector<Event> events = window_.poll(wait);
+    frameStart_ = instantNow();
     if (script_) events = script_->next(isSettled());
     for (Event& event : events) {
         event.frame = frameNumber_;

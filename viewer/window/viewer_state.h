@@ -18,6 +18,7 @@
 #include "viewer/window/live_bake.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/ray_overlay.h"
+#include "viewer/window/response.h"
 #include "viewer/window/script.h"
 #include "viewer/window/session.h"
 #include "viewer/window/viewer.h"
@@ -33,6 +34,7 @@ public:
     bool frame();
     /// Writes the recording, where one was asked for.
     void finish() const;
+    const ResponseRecord& response() const { return response_.record(); }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -55,7 +57,8 @@ private:
     void reload();
     void redo(const Redo& redo);
     void chooseLook(viewer::LookSettings look);
-    void startBake();
+    /// Returns the number of the request; 0 where no light is wanted.
+    std::uint64_t startBake();
     void takeLight();
     void makeSession();
     void attempt(const std::function<void()>& change);
@@ -67,6 +70,7 @@ private:
     void followRaysAtRest();
     HudState hudState() const;
     std::string lightState() const;
+    void noteResponse();
     void saveWhenRefined();
     void saveScene();
     void takeScreenshots();
@@ -104,8 +108,11 @@ private:
     bool panels_ = true, keyList_ = false, savePending_ = false, closing_ = false;
     std::string message_;
     bool messageIsError_ = false;
-    double frameSeconds_ = 0.0;             ///< of the last frame
-    Clock::time_point frameStart_ = Clock::now(), lastLook_ = Clock::now();
+    Response response_;
+    bool cameraMoved_ = false;              ///< in this frame
+    double frameSeconds_ = 0.0;             ///< of the last frame, without waiting for input
+    Instant frameStart_ = instantNow();
+    Clock::time_point lastLook_ = Clock::now();
 };
 
 } // namespace eikonal::window
