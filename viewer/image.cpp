@@ -174,10 +174,13 @@ std::vector<glm::vec4> ProgressiveImage::display() {
     return toneMap_.display(region_.pixels());
 }
 
-void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Texture2D& picture) {
+void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Texture2D& picture,
+                             const ProgressiveImage* compared) {
+    assert((look.look == viewer::Look::kError) == (compared != nullptr));
     viewer::configureTile(batch_.view, region_, 0);
     passes_.begin(0, sample_, batch_.view, fields_, light_);  // slices show the index at the reference wavelength
     bind();
+    if (compared) compared->accumulate_.bindAsCompared();
     mark("paint");
     painter_.run(batch_, look, picture);
     mark({});

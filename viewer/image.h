@@ -61,8 +61,8 @@ public:
     gpu::FilmPixel filmPixel(std::size_t index) const { return accumulate_.pixel(index); }
     /// Tone-mapped, sRGB-encoded values of the region.
     std::vector<glm::vec4> display();
-    /// The region as a texture of its size.
-    void paint(const viewer::LookSettings& look, const gpu::Texture2D& picture);
+    /// The region as a texture of its size. `compared`: an image with the same region, for the look that shows the difference.
+    void paint(const viewer::LookSettings& look, const gpu::Texture2D& picture, const ProgressiveImage* compared = nullptr);
     /// Marks the passes of what follows; nullptr: none.
     void setTimer(gpu::PassTimer* timer) { timer_ = timer; }
     viewer::RayCounts counts() const { return accumulate_.counts(); }

@@ -14,7 +14,9 @@
 #include "common/baked_light.h"
 #include "common/effects.h"
 #include "common/fields.h"
+#include "common/gpu/context.h"
 #include "common/scene.h"
+#include "lightsim/bake.h"
 
 namespace eikonal::window {
 
@@ -24,18 +26,23 @@ struct BakeRequest {
     std::shared_ptr<const Fields> fields;
     EffectSet effects;
     double frame = 0.0;  ///< of the lights' keyframes
+    bool rough = false;  ///< only at twice the tolerance, to compare with
 };
+
+/// Coarse: at once. Scene: as the scene asks. Rough: at twice its tolerance.
+enum class LightStage { kCoarse, kScene, kRough };
 
 struct LiveLight {
     BakedLight light;
-    bool coarse = false;
-    double seconds = 0.0;
+    LightStage stage = LightStage::kScene;
+    BakeStatistics statistics;
     std::uint64_t request = 0;  ///< that it answers
 };
 
 class LiveBake {
 public:
-    LiveBake();
+    /// `context`: of the device that it makes for itself.
+    explicit LiveBake(const gpu::ContextOptions& context = {});
     LiveBake(const LiveBake&) = delete;
     LiveBake& operator=(const LiveBake&) = delete;
     ~LiveBake();
@@ -56,6 +63,7 @@ private:
     struct Worker;
     void work();
 
+    gpu::ContextOptions contextOptions_;
     mutable std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<BakeRequest> next_;

@@ -71,6 +71,12 @@ void Session::setLook(const viewer::LookSettings& look) {
     repaint();
 }
 
+void Session::compareWith(const ProgressiveImage* image) {
+    if (image == compared_) return;
+    compared_ = image;
+    repaint();
+}
+
 void Session::repaint() {
     if (image_.samples() > 0) {
         paint();
@@ -107,17 +113,25 @@ void Session::paint() {
     if (!picture_ || picture_->size() != current_.size) {
         picture_.emplace(context_, gpu::TexelFormat::kRgba8, current_.size, "picture");
     }
-    image_.paint(look_, *picture_);
+    viewer::LookSettings look = look_;
+    const bool compares = look.look == viewer::Look::kError && compared_ && isRefined();
+    if (look.look == viewer::Look::kError && !compares) look.look = viewer::Look::kImage;
+    image_.paint(look, *picture_, compares ? compared_ : nullptr);
     shown_ = current_;
 }
 
-void Session::advance() {
+bool Session::hasWork(bool lightComes) const {
+    const bool isWhole = current_.fine && image_.samples() > 0;
+    return changed_ || (!isRefined() && !(lightComes && isWhole));
+}
+
+void Session::advance(bool lightComes) {
     if (changed_) {
         begin(governor_.moving(fullSize_));
         followRays(kNoLimit);
         changed_ = false;
         paint();
-    } else if (!isRefined()) {
+    } else if (hasWork(lightComes)) {
         if (image_.samples() > 0 && !current_.fine) begin(Governor::refined(current_, fullSize_));
         if (followRays(governor_.frameSeconds())) paint();
     }
