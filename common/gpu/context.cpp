@@ -72,6 +72,8 @@ Context Context::adopt(std::function<void()> makeCurrent, std::function<void()> 
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(collectError, &impl->errors);
+    // A shader that does not compile is told by its status, and may be wrong input (ContextOptions::shaderFolder).
+    glDebugMessageControl(GL_DEBUG_SOURCE_SHADER_COMPILER, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
     impl->limits = queriedLimits();
     Context context(std::move(impl));
     context.impl_->limits.exactLinearFiltering = !options.forceManualFiltering && filtersExactly(context);

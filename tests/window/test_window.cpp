@@ -58,7 +58,7 @@ TEST_F(WindowTest, TakesWhatAPersonMayDo) {
 
 TEST_F(WindowTest, AClickInThePanelSwitchesAnEffect) {
     // The box before "refraction": the panel is 330 pixels wide, 10 from the right edge, and begins with fixed rows.
-    expectGood("0 size 480 360\n2 wait\n2 cursor 157 139\n3 button left down\n4 button left up\n6 cursor 20 300\n6 wait\n"
+    expectGood("0 size 480 360\n2 wait\n2 cursor 157 162\n3 button left down\n4 button left up\n6 cursor 20 300\n6 wait\n"
                "7 key f2 down\n8 quit\n");
     const std::string saved = readText(folder.file("scene_0001.toml"));
     EXPECT_NE(saved.find("effects = [\"absorption\", \"scattering\""), std::string::npos) << saved;

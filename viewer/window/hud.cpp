@@ -1,5 +1,7 @@
 #include "viewer/window/hud.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -15,7 +17,7 @@ namespace {
 constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs;
-constexpr float kHudWidth = 275.0f;  // pixels
+constexpr float kHudWidth = 290.0f;  // pixels
 constexpr double kMebibyte = 1024.0 * 1024.0;
 
 void line(const char* label, const std::string& value) {
@@ -107,7 +109,7 @@ void drawMessage(const std::string& text, bool isError) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(10.0f, screen.y - 10.0f), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
     ImGui::Begin("message", nullptr, kOverlay);
-    ImGui::PushTextWrapPos(0.6f * screen.x);
+    ImGui::PushTextWrapPos(std::max(screen.x - kPanelWidth - 40.0f, 100.0f));
     if (isError) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.6f, 0.5f, 1.0f));
     ImGui::TextUnformatted(text.c_str());
     if (isError) ImGui::PopStyleColor();

@@ -135,7 +135,9 @@ void waysToLook(const PanelState& state, PanelAnswer& answer) {
         look.lowest = range[0];
         look.highest = range[1];
     }
+    ImGui::PushTextWrapPos(0.0f);
     if (!shown.legend.empty()) ImGui::TextDisabled("%s", shown.legend.data());
+    ImGui::PopTextWrapPos();
     overlayControls(answer.overlays);
 }
 
