@@ -50,7 +50,8 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
       batch_(context, options.tileRays),
       generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
-      steps_(stepVoxelsOf(scene.accuracy), 1.0), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
+      steps_(stepVoxelsOf(scene.accuracy), 1.0), integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()),
+      accumulate_(context, fields_.defines()),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
@@ -74,7 +75,7 @@ viewer::March& ProgressiveImage::march() {
     auto found = marches_.find(steps_);
     if (found == marches_.end()) {
         const auto [step, matter] = steps_;
-        const viewer::MarchSettings settings{step, matter, options_.maxEvaluations, options_.stepsPerSlice};
+        const viewer::MarchSettings settings{step, matter, integrator_, options_.maxEvaluations, options_.stepsPerSlice};
         found = marches_.emplace(steps_, viewer::March(context_, allDefines(), settings, lattice_)).first;
     }
     return found->second;

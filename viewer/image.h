@@ -93,6 +93,7 @@ private:
     using Steps = std::pair<double, double>;   ///< of rays, between samples of matter [voxels]
     std::map<Steps, viewer::March> marches_;
     Steps steps_;
+    Integrator integrator_;
     viewer::Shade shade_;
     viewer::Accumulate accumulate_;
     viewer::ToneMapper toneMap_;
