@@ -29,6 +29,13 @@ constexpr std::pair<std::string_view, ToneMap> kToneMaps[] = {
 
 std::optional<std::string> written(const std::string& value) { return value; }
 
+Key<Accuracy> toleranceKey() {
+    Key<Accuracy> key =
+        keys::number<Accuracy>("tolerance", &Accuracy::tolerance, {.low = 0.0, .high = 1.0, .lowOpen = true});
+    key.form.usual = {0.005, 0.5};
+    return key;
+}
+
 Key<Environment> imageKey() {
     return {"image",
             [](Environment& environment, const toml::node& node, const std::string& key) {
@@ -169,7 +176,7 @@ const Keys<Environment>& environmentKeys() {
 
 const Keys<Accuracy>& accuracyKeys() {
     static const Keys<Accuracy> table{
-        keys::number<Accuracy>("tolerance", &Accuracy::tolerance, {.low = 0.0, .high = 1.0, .lowOpen = true}),
+        toleranceKey(),
         keys::choice<Accuracy>("integrator", &Accuracy::integrator, Choices<Integrator>(kIntegrators)),
         keys::choice<Accuracy>("interpolation", &Accuracy::interpolation, Choices<Interpolation>(kInterpolations)),
         stepKey(),

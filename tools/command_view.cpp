@@ -4,13 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include "common/error.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
+#include "tools/bake_file.h"
 #include "tools/frame_name.h"
 #include "tools/scene_arguments.h"
 #include "tools/terminal.h"
+#include "tools/view_statistics.h"
 #include "viewer/window/turntable.h"
 #include "viewer/window/viewer.h"
 
@@ -20,7 +23,7 @@ namespace {
 
 struct ViewArguments {
     SceneArguments scene;
-    std::string script, record, out;
+    std::string script, record, statistics, shaders, out;
     int frames = 0;
     double frameMilliseconds = 33.0;
 };
@@ -48,6 +51,7 @@ void runTurntable(const ViewArguments& arguments, const ProgramOptions& program)
 }
 
 void runWindow(const ViewArguments& arguments) {
+    if (!arguments.statistics.empty()) requireWritable(arguments.statistics);
     window::ViewOptions options;
     options.file = arguments.scene.file;
     // The window's size, unless --size says otherwise after it.
@@ -55,13 +59,18 @@ void runWindow(const ViewArguments& arguments) {
     options.overrides.insert(options.overrides.end(), arguments.scene.overrides.begin(), arguments.scene.overrides.end());
     options.script = arguments.script;
     options.record = arguments.record;
+    options.shaders = arguments.shaders;
     options.frameSeconds = 1e-3 * arguments.frameMilliseconds;
     options.creator = creator();
     options.print = [](const std::string& line) {
         fmt::print("{}\n", line);
         std::fflush(stdout);
     };
-    window::viewScene(options);
+    options.saveLight = [](const std::filesystem::path& file, const Scene& scene, const Fields& fields, const BakeResult& light) {
+        writeBakeFile(file, scene, fields, light);
+    };
+    const window::ResponseRecord response = window::viewScene(options);
+    if (!arguments.statistics.empty()) writeFile(arguments.statistics, viewJson(response).dump(2) + "\n");
 }
 
 } // namespace
@@ -77,6 +86,10 @@ void addViewCommand(CLI::App& program, const ProgramOptions& options) {
         ->check(CLI::PositiveNumber);
     command->add_option("--script", arguments->script, "replay recorded input (docs/viewer.md)")->type_name("FILE");
     command->add_option("--record", arguments->record, "write what is done in the window, to replay it")->type_name("FILE");
+    command->add_option("--stats", arguments->statistics, "write how quickly the window answered, as JSON")->type_name("FILE.json");
+    command->add_option("--shaders", arguments->shaders, "read kernels from this folder, and again when one changes")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory);
     CLI::Option* frames =
         command->add_option("--frames", arguments->frames, "no window: a turn around the scene in so many images")
             ->type_name("N")

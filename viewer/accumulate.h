@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "shaders/shared/look_block.h"
 #include "viewer/ray_batch.h"
 
 namespace eikonal::viewer {
@@ -22,6 +23,8 @@ public:
     /// Room for that many pixels at least. What the film held may be gone.
     void reserve(const gpu::Context& context, std::size_t pixels);
     void bind() const;
+    /// For kernels that compare another film with the one that is bound.
+    void bindAsCompared() const { film_.bindStorage(gpu::kStorageComparedFilm); }
     void run(const RayBatch& batch) const { kernel_.dispatch(batch.groups()); }
     /// The first pixels of the film.
     std::vector<gpu::FilmPixel> film(std::size_t pixels) const { return film_.download<gpu::FilmPixel>(pixels); }

@@ -55,7 +55,8 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
       batch_(context, options.tileRays),
       generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
-      stepVoxels_(stepVoxelsOf(scene.accuracy)), integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
+      steps_(stepVoxelsOf(scene.accuracy), 1.0), integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()),
+      accumulate_(context, fields_.defines()),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
@@ -77,10 +78,11 @@ std::vector<std::string> ProgressiveImage::allDefines() const {
 }
 
 viewer::March& ProgressiveImage::march() {
-    auto found = marches_.find(stepVoxels_);
+    auto found = marches_.find(steps_);
     if (found == marches_.end()) {
-        const viewer::MarchSettings settings{stepVoxels_, integrator_, options_.maxEvaluations, options_.stepsPerSlice};
-        found = marches_.emplace(stepVoxels_, viewer::March(context_, allDefines(), settings, lattice_)).first;
+        const auto [step, matter] = steps_;
+        const viewer::MarchSettings settings{step, matter, integrator_, options_.maxEvaluations, options_.stepsPerSlice};
+        found = marches_.emplace(steps_, viewer::March(context_, allDefines(), settings, lattice_)).first;
     }
     return found->second;
 }
@@ -117,8 +119,8 @@ void ProgressiveImage::setLight(const BakedLight& bake) {
     startOver();
 }
 
-void ProgressiveImage::setStep(double stepVoxels) {
-    stepVoxels_ = stepVoxels;
+void ProgressiveImage::setStep(double stepVoxels, double matterVoxels) {
+    steps_ = {stepVoxels, matterVoxels};
     march().configure(batch_.view);
     startOver();
 }
@@ -180,10 +182,13 @@ std::vector<glm::vec4> ProgressiveImage::display() {
     return toneMap_.display(region_.pixels());
 }
 
-void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Texture2D& picture) {
+void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Texture2D& picture,
+                             const ProgressiveImage* compared) {
+    assert((look.look == viewer::Look::kError) == (compared != nullptr));
     viewer::configureTile(batch_.view, region_, 0);
     passes_.begin(0, sample_, batch_.view, fields_, light_);  // slices show the index at the reference wavelength
     bind();
+    if (compared) compared->accumulate_.bindAsCompared();
     mark("paint");
     viewer::LookSettings onDevice = look;
     onDevice.slicePosition -= middleOf(lattice_)[look.sliceAxis];

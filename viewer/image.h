@@ -39,8 +39,9 @@ public:
     void setCamera(const Camera& camera);
     /// Another bake, on any lattice. The image must have been made with one.
     void setLight(const BakedLight& bake);
-    /// Arc length of a step [voxels]. Throws badInput for one that is not positive.
-    void setStep(double stepVoxels);
+    /// Arc length of a step, and longest piece on which matter is sampled once [voxels]. Throws badInput for a step that is not
+    /// positive.
+    void setStep(double stepVoxels, double matterVoxels = 1.0);
     /// Factor 2^ev on what is displayed; the film stays.
     void setExposure(double ev);
 
@@ -60,8 +61,8 @@ public:
     gpu::FilmPixel filmPixel(std::size_t index) const { return accumulate_.pixel(index); }
     /// Tone-mapped, sRGB-encoded values of the region.
     std::vector<glm::vec4> display();
-    /// The region as a texture of its size.
-    void paint(const viewer::LookSettings& look, const gpu::Texture2D& picture);
+    /// The region as a texture of its size. `compared`: an image with the same region, for the look that shows the difference.
+    void paint(const viewer::LookSettings& look, const gpu::Texture2D& picture, const ProgressiveImage* compared = nullptr);
     /// Marks the passes of what follows; nullptr: none.
     void setTimer(gpu::PassTimer* timer) { timer_ = timer; }
     viewer::RayCounts counts() const { return accumulate_.counts(); }
@@ -89,8 +90,9 @@ private:
     std::optional<viewer::Clearance> clearance_;
     viewer::RayBatch batch_;
     viewer::Generate generate_;
-    std::map<double, viewer::March> marches_;  ///< by step [voxels]
-    double stepVoxels_;
+    using Steps = std::pair<double, double>;   ///< of rays, between samples of matter [voxels]
+    std::map<Steps, viewer::March> marches_;
+    Steps steps_;
     Integrator integrator_;
     viewer::Shade shade_;
     viewer::Accumulate accumulate_;

@@ -24,8 +24,9 @@ double checkedStep(double stepVoxels) {
     return stepVoxels;
 }
 
-std::uint32_t samplesPerHalfOf(double stepVoxels) {
-    return stepVoxels <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * stepVoxels, 256.0)));
+std::uint32_t samplesPerHalfOf(const MarchSettings& settings) {
+    const double pieces = checkedStep(settings.stepVoxels) / settings.matterVoxels;
+    return pieces <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * pieces, 256.0)));
 }
 
 /// kEvaluationsPerStep of shaders/viewer/integrator.glsl.
@@ -60,9 +61,10 @@ std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::ui
     return 1 + kFaceTrials + samples * (has("LIGHT_LOBES") ? 1 + kVoxelsAbout : 1);
 }
 
-std::vector<std::string> withSteps(std::vector<std::string> defines, std::uint32_t samplesPerHalf, Integrator integrator) {
-    defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalf));
-    if (const char* define = defineOf(integrator)) defines.push_back(define);
+std::vector<std::string> withSteps(std::vector<std::string> defines, const MarchSettings& settings) {
+    defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalfOf(settings)));
+    if (settings.matterVoxels != 1.0) defines.push_back("MATTER_VOXELS " + std::to_string(settings.matterVoxels));
+    if (const char* define = defineOf(settings.integrator)) defines.push_back(define);
     return defines;
 }
 
@@ -70,12 +72,12 @@ std::vector<std::string> withSteps(std::vector<std::string> defines, std::uint32
 
 March::March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
              const Lattice& lattice)
-    : samplesPerHalf_(samplesPerHalfOf(checkedStep(settings.stepVoxels))),
+    : samplesPerHalf_(samplesPerHalfOf(settings)),
       maxEvaluations_(evaluationLimit(settings, lattice)),
       stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
                                                 : kIterationsPerDispatch / iterationsPerStep(defines, samplesPerHalf_)),
       stepLength_(settings.stepVoxels * lattice.voxel),
-      kernel_(context, "viewer/march.comp.glsl", withSteps(defines, samplesPerHalf_, settings.integrator)),
+      kernel_(context, "viewer/march.comp.glsl", withSteps(defines, settings)),
       groups_{gpu::Buffer(context, sizeof(glm::uvec3), "march groups"),
               gpu::Buffer(context, sizeof(glm::uvec3), "march groups")} {}
 

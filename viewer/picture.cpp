@@ -13,6 +13,7 @@ std::vector<std::string> lookDefines(Look look) {
         case Look::kSteps: return {"LOOK_STEPS"};
         case Look::kIrradiance: return {"LOOK_SLICE"};
         case Look::kDirection: return {"LOOK_SLICE", "LOOK_DIRECTION"};
+        case Look::kError: return {"LOOK_ERROR"};
         case Look::kIndex: break;
     }
     return {"LOOK_SLICE", "LOOK_INDEX"};

@@ -13,19 +13,20 @@
 
 namespace eikonal::viewer {
 
-enum class Look { kImage, kRadiance, kSteps, kIrradiance, kDirection, kIndex };
+enum class Look { kImage, kRadiance, kSteps, kIrradiance, kDirection, kIndex, kError };
 
 struct LookName {
     Look look;
     std::string_view name, legend;  ///< legend: what its colours are, with the unit
 };
-inline constexpr std::array<LookName, 6> kLooks{{
+inline constexpr std::array<LookName, 7> kLooks{{
     {Look::kImage, "picture", ""},
     {Look::kRadiance, "radiance", "log2 of the mean radiance"},
     {Look::kSteps, "steps", "steps of the ray through the pixel's centre"},
     {Look::kIrradiance, "irradiance slice", "log2 of the mean irradiance"},
     {Look::kDirection, "light direction slice", "x, y, z as red, green, blue; grey is 0"},
     {Look::kIndex, "index slice", "refractive index"},
+    {Look::kError, "error estimate", "percent of the radiance that half the accuracy changes"},
 }};
 
 struct LookSettings {

@@ -16,6 +16,7 @@ namespace eikonal::gpu {
 struct Context::Impl {
     std::function<void()> makeCurrent, destroy;
     DeviceLimits limits;
+    std::filesystem::path shaderFolder;
     std::vector<std::string> errors;
 
     ~Impl() {
@@ -67,9 +68,12 @@ Context Context::adopt(std::function<void()> makeCurrent, std::function<void()> 
     auto impl = std::make_unique<Impl>();
     impl->makeCurrent = std::move(makeCurrent);
     impl->destroy = std::move(destroy);
+    impl->shaderFolder = options.shaderFolder;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(collectError, &impl->errors);
+    // A shader that does not compile is told by its status, and may be wrong input (ContextOptions::shaderFolder).
+    glDebugMessageControl(GL_DEBUG_SOURCE_SHADER_COMPILER, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
     impl->limits = queriedLimits();
     Context context(std::move(impl));
     context.impl_->limits.exactLinearFiltering = !options.forceManualFiltering && filtersExactly(context);
@@ -94,6 +98,8 @@ Context::~Context() = default;
 void Context::makeCurrent() const { impl_->makeCurrent(); }
 
 const DeviceLimits& Context::limits() const { return impl_->limits; }
+
+const std::filesystem::path& Context::shaderFolder() const { return impl_->shaderFolder; }
 
 std::string Context::rendererName() const {
     const auto text = [](GLenum name) { return std::string(reinterpret_cast<const char*>(glGetString(name))); };

@@ -2,6 +2,7 @@
 // An OpenGL 4.5 core context. GPU objects are created from one that is passed in and are gone before it.
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -17,6 +18,7 @@ struct DeviceLimits {
 
 struct ContextOptions {
     bool forceManualFiltering = false;  ///< behave as on a device whose linear filtering is not exact
+    std::filesystem::path shaderFolder;  ///< where shaders are read in place of those in the program; empty: nowhere
 };
 
 class Context {
@@ -35,6 +37,7 @@ public:
     /// Makes this the context of the thread again, after another one was made on it.
     void makeCurrent() const;
     const DeviceLimits& limits() const;
+    const std::filesystem::path& shaderFolder() const;
     std::string rendererName() const;  ///< GL_RENDERER and version
     /// Throws Error(kFailure) with the messages if the debug callback has seen a GL error since the last call.
     void throwIfError() const;

@@ -6,8 +6,8 @@
 
 namespace eikonal::gpu {
 
-Kernel::Kernel(const Context&, std::string_view shaderName, const std::vector<std::string>& defines)
-    : name_(linkedProgram({{GL_COMPUTE_SHADER, shaderName}}, defines)) {}
+Kernel::Kernel(const Context& context, std::string_view shaderName, const std::vector<std::string>& defines)
+    : name_(linkedProgram(context, {{GL_COMPUTE_SHADER, shaderName}}, defines)) {}
 
 Kernel::Kernel(Kernel&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
 

@@ -33,7 +33,9 @@ bool PassTimer::isDone(const Frame& frame) const {
 }
 
 void PassTimer::takeIn(const Frame& frame) {
-    seconds_.clear();
+    for (const Mark& mark : frame) {
+        for (auto& [pass, seconds] : seconds_) seconds = pass == mark.pass ? 0.0 : seconds;
+    }
     GLuint64 before = 0;
     for (std::size_t i = 0; i < frame.size(); ++i) {
         GLuint64 now = 0;

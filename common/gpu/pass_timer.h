@@ -24,7 +24,7 @@ public:
     void mark(std::string_view pass);
     /// Ends the frame, and takes in the frames before it that the device is done with.
     void endFrame();
-    /// Pass and seconds of the latest frame that is known, in the order of their first marks.
+    /// Pass and seconds of the latest known frame that had it, in the order of their first marks.
     const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }
 
 private:

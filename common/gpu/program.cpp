@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/error.h"
 #include "common/gpu/shader_source.h"
 
 namespace eikonal::gpu {
@@ -16,7 +17,13 @@ std::string logOf(GLuint name, PFNGLGETSHADERIVPROC get, PFNGLGETSHADERINFOLOGPR
     return log;
 }
 
-GLuint compiledShader(const ShaderStage& stage, const std::string& source) {
+[[noreturn]] void refuse(const Context& context, const std::string& message) {
+    if (!context.shaderFolder().empty()) throw badInput(message);
+    throw std::logic_error(message);
+}
+
+GLuint compiledShader(const Context& context, const ShaderStage& stage, const std::vector<std::string>& defines) {
+    const std::string source = kernelSource(stage.name, defines, context.shaderFolder());
     const GLuint shader = glCreateShader(stage.kind);
     const GLchar* text = source.data();
     const GLint length = GLint(source.size());
@@ -27,15 +34,17 @@ GLuint compiledShader(const ShaderStage& stage, const std::string& source) {
     if (compiled == GL_TRUE) return shader;
     const std::string log = logOf(shader, glGetShaderiv, glGetShaderInfoLog);
     glDeleteShader(shader);
-    throw std::logic_error("shader " + std::string(stage.name) + " does not compile: " + log);
+    refuse(context, "shader " + std::string(stage.name) + " does not compile: " + log);
 }
 
 } // namespace
 
-GLuint linkedProgram(const std::vector<ShaderStage>& stages, const std::vector<std::string>& defines) {
+GLuint linkedProgram(const Context& context, const std::vector<ShaderStage>& stages,
+                     const std::vector<std::string>& defines) {
+    std::vector<GLuint> shaders;
+    for (const ShaderStage& stage : stages) shaders.push_back(compiledShader(context, stage, defines));
     const GLuint program = glCreateProgram();
-    for (const ShaderStage& stage : stages) {
-        const GLuint shader = compiledShader(stage, kernelSource(stage.name, defines));
+    for (const GLuint shader : shaders) {
         glAttachShader(program, shader);
         glDeleteShader(shader);  // lives on while it is attached
     }
@@ -46,7 +55,7 @@ GLuint linkedProgram(const std::vector<ShaderStage>& stages, const std::vector<s
     if (linked != GL_TRUE) {
         const std::string log = logOf(program, glGetProgramiv, glGetProgramInfoLog);
         glDeleteProgram(program);
-        throw std::logic_error("shader " + std::string(label) + " does not link: " + log);
+        refuse(context, "shader " + std::string(label) + " does not link: " + log);
     }
     glObjectLabel(GL_PROGRAM, program, GLsizei(label.size()), label.data());
     return program;

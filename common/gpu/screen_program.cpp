@@ -4,8 +4,8 @@
 
 namespace eikonal::gpu {
 
-ScreenProgram::ScreenProgram(const Context&, std::string_view vertexShader, std::string_view fragmentShader)
-    : program_(linkedProgram({{GL_VERTEX_SHADER, vertexShader}, {GL_FRAGMENT_SHADER, fragmentShader}}, {})) {
+ScreenProgram::ScreenProgram(const Context& context, std::string_view vertexShader, std::string_view fragmentShader)
+    : program_(linkedProgram(context, {{GL_VERTEX_SHADER, vertexShader}, {GL_FRAGMENT_SHADER, fragmentShader}}, {})) {
     glCreateVertexArrays(1, &vertices_);
 }
 

@@ -1,8 +1,12 @@
 #include "common/gpu/shader_source.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <stdexcept>
+
+#include "common/error.h"
 
 namespace eikonal::gpu {
 
@@ -13,11 +17,16 @@ constexpr std::string_view kPreamble =
     "#define real float\n#define real2 vec2\n#define real3 vec3\n#define real4 vec4\n";
 constexpr std::string_view kRootFolder = "shaders/";
 
-std::string_view embeddedText(std::string_view name) {
+std::string textOf(std::string_view name, const std::filesystem::path& folder) {
+    if (!folder.empty()) {
+        std::ifstream file(folder / name, std::ios::binary);
+        if (!file) throw badInput("expected a shader that can be read, found none at '" + (folder / name).string() + "'");
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
     const auto& table = embeddedShaders();
     const auto found = std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.name == name; });
     if (found == table.end()) throw std::logic_error("no shader is named '" + std::string(name) + "'");
-    return found->text;
+    return std::string(found->text);
 }
 
 std::string_view trimmed(std::string_view line) {
@@ -35,9 +44,11 @@ std::string_view includedName(std::string_view directive) {
     return name;
 }
 
-void appendExpanded(std::string_view name, std::set<std::string, std::less<>>& seen, std::string& out) {
+void appendExpanded(std::string_view name, const std::filesystem::path& folder, std::set<std::string, std::less<>>& seen,
+                    std::string& out) {
     if (!seen.emplace(name).second) return;
-    std::string_view text = embeddedText(name);
+    const std::string whole = textOf(name, folder);
+    std::string_view text = whole;
     while (!text.empty()) {
         const auto end = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, end);
@@ -46,7 +57,7 @@ void appendExpanded(std::string_view name, std::set<std::string, std::less<>>& s
         if (directive.starts_with("#pragma once")) continue;
         if (directive.starts_with("#include")) {
             // <...> is a C++ header that a file of shaders/shared/ asks for.
-            if (const auto included = includedName(directive); !included.empty()) appendExpanded(included, seen, out);
+            if (const auto included = includedName(directive); !included.empty()) appendExpanded(included, folder, seen, out);
             continue;
         }
         out.append(line).push_back('\n');
@@ -55,12 +66,13 @@ void appendExpanded(std::string_view name, std::set<std::string, std::less<>>& s
 
 } // namespace
 
-std::string kernelSource(std::string_view name, const std::vector<std::string>& defines) {
+std::string kernelSource(std::string_view name, const std::vector<std::string>& defines,
+                         const std::filesystem::path& folder) {
     std::string source = "#version 450 core\n";
     for (const auto& define : defines) source += "#define " + define + "\n";
     source += kPreamble;
     std::set<std::string, std::less<>> seen;
-    appendExpanded(name, seen, source);
+    appendExpanded(name, folder, seen, source);
     return source;
 }
 

@@ -2,6 +2,10 @@
 // (docs/physics.md, section 1).
 #include "shared/brick.h"
 
+#ifndef MATTER_VOXELS
+#define MATTER_VOXELS 1.0
+#endif
+
 #ifdef STRAIGHT_FLIGHTS
 
 layout(binding = kUnitClearance) uniform sampler3D clearanceGrid;
@@ -15,7 +19,7 @@ struct Clearance {
 
 // Flights end this far inside the next brick, so that the next look-up is there.
 const float kBeyondBrick = 1e-3;    // voxels
-// Matter that varies is sampled once a voxel, this often before the ray looks about again.
+// Matter that varies is sampled every MATTER_VOXELS voxels, this often before the ray looks about again.
 const int kSamplesPerFlight = 16;
 
 // Clearances are Chebyshev distances in bricks: the box that reaches so many bricks less one beyond x's own is free.
@@ -41,7 +45,7 @@ Clearance clearanceAhead(vec3 x, vec3 direction) {
 }
 
 // What matter does along a straight piece, or the beginning of it; the length that was passed. Even matter takes one exact
-// piece, and what varies one sample a voxel.
+// piece, and what varies one sample every MATTER_VOXELS.
 float passAhead(inout RayState ray, vec3 direction, float ds, float even) {
 #ifdef MATTER
     if (even > 0.0) {
@@ -49,7 +53,7 @@ float passAhead(inout RayState ray, vec3 direction, float ds, float even) {
         passMatter(ray, ray.x + direction * (0.5 * passed), direction, ray.n, passed);
         return passed;
     }
-    int count = max(int(ceil(ds / domainVoxel)), 1);
+    int count = max(int(ceil(ds / (MATTER_VOXELS * domainVoxel))), 1);
     float piece = ds / float(count);
     int samples = min(count, kSamplesPerFlight);
     for (int i = 0; i < samples; ++i) {

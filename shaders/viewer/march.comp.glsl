@@ -131,8 +131,8 @@ Step outerStep(inout RayState ray) {
 
 #endif
 
-// Matter is sampled at least once a voxel, whatever the step: once a step in its middle, or SAMPLES_PER_HALF times on each
-// of its two pieces.
+// Matter is sampled at least every MATTER_VOXELS voxels, whatever the step: once a step in its middle, or SAMPLES_PER_HALF
+// times on each of its two pieces.
 void passStep(inout RayState ray, Step taken) {
     ray.pathLength += taken.first + taken.second;
     ray.opticalLength += taken.nMean * (taken.first + taken.second);

@@ -9,6 +9,9 @@
 layout(local_size_x = kRaysPerGroup) in;
 
 layout(std430, binding = kStorageFilm) readonly buffer Film { FilmPixel film[]; };
+#ifdef LOOK_ERROR
+layout(std430, binding = kStorageComparedFilm) readonly buffer ComparedFilm { FilmPixel comparedFilm[]; };
+#endif
 layout(rgba8, binding = kImagePicture) writeonly uniform image2D picture;
 
 vec3 displayed(vec3 radiance) {
@@ -52,8 +55,21 @@ vec3 sliceOver(vec3 behind, ivec2 pixel) {
 
 #endif
 
+#ifdef LOOK_ERROR
+
+// Difference from the film that this one is compared with [percent of the radiance].
+float differencePercent(vec3 radiance, vec3 compared) {
+    vec3 difference = abs(radiance - compared);
+    float mean = dot(abs(radiance), vec3(1.0 / 3.0));
+    return 100.0 * dot(difference, vec3(1.0 / 3.0)) / max(mean, 1e-20);
+}
+
+#endif
+
 vec3 pictureColor(FilmPixel pixel, ivec2 at) {
-#if defined(LOOK_STEPS)
+#if defined(LOOK_ERROR)
+    return turbo(onScale(differencePercent(pixel.radiance, comparedFilm[at.y * tileSize.x + at.x].radiance)));
+#elif defined(LOOK_STEPS)
     return turbo(onScale(pixel.steps));
 #elif defined(LOOK_RADIANCE)
     return turbo(onScale(log2(max(dot(pixel.radiance, vec3(1.0 / 3.0)), 1e-20))));

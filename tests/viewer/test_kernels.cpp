@@ -35,6 +35,7 @@ std::vector<KernelVariant> variants() {
     for (const auto& subset : subsets) {
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 2"}));
+        rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0", "MATTER_VOXELS 2.000000"}));
         rows.push_back(test::variant("viewer/shade.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
@@ -46,7 +47,7 @@ std::vector<KernelVariant> variants() {
     }
     for (const std::vector<std::string>& look : std::vector<std::vector<std::string>>{
              {"TONE_AGX"}, {"TONE_REINHARD"}, {"LOOK_RADIANCE"}, {"LOOK_STEPS"}, {"LOOK_SLICE"},
-             {"LOOK_SLICE", "LOOK_DIRECTION"}, {"LOOK_SLICE", "LOOK_INDEX"}}) {
+             {"LOOK_SLICE", "LOOK_DIRECTION"}, {"LOOK_SLICE", "LOOK_INDEX"}, {"LOOK_ERROR"}}) {
         rows.push_back(test::variant("viewer/picture.comp.glsl", look));
         rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"EFFECT_REFRACTION", "BAKED_LIGHT"}));
         rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"BAKED_LIGHT", "MANUAL_FILTERING"}));

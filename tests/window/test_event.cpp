@@ -20,6 +20,10 @@ constexpr std::string_view kRecording = R"(# one of each
 6 set light.0.direction=[0, 1, 0]
 
 7 wait
+7 changed
+7 save lit.vdb
+7 minimise
+7 restore
 8 screenshot shot.png
 9 quit
 )";
@@ -36,7 +40,7 @@ std::string messageFor(const std::string& text) {
 
 TEST(Events, AreTheSameAfterTheirText) {
     const std::vector<Event> events = parseEvents(kRecording, "a.rec");
-    ASSERT_EQ(events.size(), 12u);
+    ASSERT_EQ(events.size(), 16u);
     EXPECT_EQ(events[7].name, "a folder/ball.toml");
     EXPECT_EQ(events[8].name, "light.0.direction=[0, 1, 0]");
     EXPECT_DOUBLE_EQ(events[1].at.y, -3.0);
@@ -57,18 +61,26 @@ TEST(Events, RefuseWhatIsNoneAndSayWhere) {
 TEST(Script, GivesEveryEventInItsFrame) {
     Script script(parseEvents("0 scroll 1\n2 scroll 2\n2 scroll 3\n5 quit\n", "a.rec"));
     std::vector<std::size_t> counts;
-    while (!script.isDone()) counts.push_back(script.next(false).size());
+    while (!script.isDone()) counts.push_back(script.next({}).size());
     EXPECT_EQ(counts, (std::vector<std::size_t>{1, 0, 2, 0, 0, 1}));
 }
 
 TEST(Script, WaitsUntilAllIsSettledAndCountsNoFrames) {
     Script script(parseEvents("0 scroll 1\n1 wait\n1 scroll 2\n2 quit\n", "a.rec"));
-    EXPECT_EQ(script.next(false).size(), 1u);
-    EXPECT_TRUE(script.next(true).empty()) << "what is settled now may not be what the events before asked for";
-    for (int i = 0; i < 5; ++i) EXPECT_TRUE(script.next(false).empty());
-    EXPECT_EQ(script.next(true).size(), 1u);
-    EXPECT_EQ(script.next(false).size(), 1u);
+    EXPECT_EQ(script.next({}).size(), 1u);
+    EXPECT_TRUE(script.next({.settled = true}).empty()) << "what is settled now may not be what the events before asked for";
+    for (int i = 0; i < 5; ++i) EXPECT_TRUE(script.next({}).empty());
+    EXPECT_EQ(script.next({.settled = true}).size(), 1u);
+    EXPECT_EQ(script.next({}).size(), 1u);
     EXPECT_TRUE(script.isDone());
+}
+
+TEST(Script, WaitsForAnotherReadingOfFiles) {
+    Script script(parseEvents("0 scroll 1\n0 changed\n0 quit\n", "a.rec"));
+    EXPECT_EQ(script.next({.settled = true, .readings = 3}).size(), 1u);
+    EXPECT_TRUE(script.isWaiting());
+    EXPECT_TRUE(script.next({.settled = true, .readings = 3}).empty());
+    EXPECT_EQ(script.next({.settled = false, .readings = 4}).size(), 1u);
 }
 
 } // namespace

@@ -38,7 +38,7 @@ LiveLight lastLight(LiveBake& bake, int* coarse = nullptr) {
     std::optional<LiveLight> last;
     while (bake.isBusy()) {
         if (auto light = bake.take()) {
-            if (coarse && light->coarse) ++*coarse;
+            if (coarse && light->stage == LightStage::kCoarse) ++*coarse;
             last = std::move(light);
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -49,7 +49,7 @@ LiveLight lastLight(LiveBake& bake, int* coarse = nullptr) {
 }
 
 void expectLightOf(const BakeRequest& request, const LiveLight& light) {
-    EXPECT_FALSE(light.coarse);
+    EXPECT_EQ(light.stage, LightStage::kScene);
     const BakeResult once = bakeScene(test::sharedContext(), request.scene, *request.fields, request.effects, {});
     EXPECT_EQ(light.light.irradiance.values, once.light.irradiance.values);
     EXPECT_EQ(light.light.lightDirection.values, once.light.lightDirection.values);
@@ -86,6 +86,19 @@ TEST(LiveBake, FollowsMatterAndAccuracyToo) {
     const BakeRequest thicker = requestFor({"object.0.ior=1.2", "accuracy.tolerance=0.1"});
     bake.start(thicker);
     expectLightOf(thicker, lastLight(bake));
+}
+
+TEST(LiveBake, BakesAtTwiceTheToleranceToCompareWith) {
+    BakeRequest request = requestFor({});
+    request.rough = true;
+    LiveBake bake;
+    EXPECT_EQ(bake.start(request), 1u);
+    const LiveLight light = lastLight(bake);
+    EXPECT_EQ(light.stage, LightStage::kRough);
+    EXPECT_EQ(light.request, 1u);
+    const BakeRequest twice = requestFor({"accuracy.tolerance=0.04"}, request.fields);
+    const BakeResult once = bakeScene(test::sharedContext(), twice.scene, *twice.fields, twice.effects, {});
+    EXPECT_EQ(light.light.irradiance.values, once.light.irradiance.values);
 }
 
 TEST(LiveBake, MayBeClosedAtAnyTime) {

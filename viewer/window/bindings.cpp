@@ -7,7 +7,7 @@ namespace eikonal::window {
 
 namespace {
 
-constexpr std::array<Binding, 14> kBindings{{
+constexpr std::array<Binding, 16> kBindings{{
     {"enter", Action::kFrameAll, "frame everything"},
     {"1", Action::kFront, "look from the front (+z)"},
     {"3", Action::kRight, "look from the right (+x)"},
@@ -16,6 +16,8 @@ constexpr std::array<Binding, 14> kBindings{{
     {"h", Action::kKeyList, "this list"},
     {"tab", Action::kPanels, "hide or show the panels"},
     {"v", Action::kNextLook, "next way to look"},
+    {"l", Action::kRays, "rays of the lights, and of the pointer"},
+    {"n", Action::kFronts, "the wavefront on its way"},
     {"space", Action::kPlay, "play: lights along their keyframes, or a turn around the scene"},
     {"r", Action::kReload, "read the scene again"},
     {"p", Action::kPrintCamera, "print the camera as TOML"},

@@ -8,7 +8,7 @@ namespace eikonal::window {
 
 enum class Action {
     kFrameAll, kFront, kRight, kAbove, kFullScreen, kKeyList, kPanels, kSaveStill, kPrintCamera, kReload, kPlay, kSaveScene,
-    kNextLook, kQuit
+    kNextLook, kRays, kFronts, kQuit
 };
 
 struct Binding {

@@ -4,13 +4,16 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <system_error>
+#include <fstream>
+#include <iterator>
 #include <variant>
 
 #include <fmt/core.h>
 
 #include "common/accuracy.h"
+#include "common/error.h"
 #include "common/mesh.h"
+#include "common/scene_edit.h"
 #include "common/scene_toml.h"
 
 namespace eikonal::window {
@@ -48,6 +51,35 @@ std::string sceneTextForMesh(const std::filesystem::path& mesh) {
                        kFovDegrees);
 }
 
+std::filesystem::path wholePath(const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path.empty() ? "." : path));
+}
+
+/// The scene with its paths as they are from another folder.
+Scene movedTo(const std::filesystem::path& folder, Scene scene) {
+    const bool stays = wholePath(folder) == wholePath(scene.folder);
+    const auto fromThere = [&](const std::filesystem::path& path) {
+        const bool keep = stays || path.is_absolute();
+        return keep ? path : wholePath(scene.resolve(path)).lexically_proximate(wholePath(folder));
+    };
+    for (Object& object : scene.objects) {
+        if (auto* volume = std::get_if<VolumeShape>(&object.shape)) volume->file = fromThere(volume->file);
+        if (auto* mesh = std::get_if<MeshShape>(&object.shape)) mesh->file = fromThere(mesh->file);
+    }
+    if (scene.environment.image) scene.environment.image = fromThere(*scene.environment.image);
+    scene.folder = folder;
+    return scene;
+}
+
+/// The size of pictures that a scene file asks for: the window has its own. That of the scene where the text is none.
+glm::ivec2 sizeIn(const std::string& text, const Scene& scene) {
+    try {
+        return parseScene(text, scene.source, scene.folder).render.size;
+    } catch (const Error&) {
+        return scene.render.size;
+    }
+}
+
 Scene sceneOf(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     Scene scene = isMesh(file) ? parseScene(sceneTextForMesh(file), file.string(), file.parent_path(), overrides)
                                : loadScene(file, overrides);
@@ -59,8 +91,7 @@ Scene sceneOf(const std::filesystem::path& file, const std::vector<std::string>&
 
 Document::Document(const std::filesystem::path& file, const std::vector<std::string>& overrides)
     : file_(file), overrides_(overrides), scene_(sceneOf(file, overrides)),
-      fields_(std::make_shared<const Fields>(composeFields(scene_))), effects_(decideEffects(scene_, *fields_)),
-      stamps_(stamps()) {}
+      fields_(std::make_shared<const Fields>(composeFields(scene_))), effects_(decideEffects(scene_, *fields_)) {}
 
 Redo Document::replace(Scene scene) {
     const Redo redo = redoFor(scene_, scene);
@@ -77,7 +108,6 @@ Redo Document::set(const std::string& override) {
 }
 
 void Document::reload() {
-    stamps_ = stamps();  // before it is read: what is written meanwhile counts as a change
     Scene scene = sceneOf(file_, overrides_);
     auto fields = std::make_shared<const Fields>(composeFields(scene));
     effects_ = decideEffects(scene, *fields);
@@ -86,26 +116,23 @@ void Document::reload() {
     fields_ = std::move(fields);
 }
 
-bool Document::filesHaveChanged() {
-    std::vector<Stamp> now = stamps();
-    const bool changed = now != stamps_;
-    stamps_ = std::move(now);
-    return changed;
-}
-
-std::vector<Document::Stamp> Document::stamps() const {
+std::vector<std::filesystem::path> Document::files() const {
     std::vector<std::filesystem::path> files{file_};
     for (const Object& object : scene_.objects) {
         if (const auto* volume = std::get_if<VolumeShape>(&object.shape)) files.push_back(scene_.resolve(volume->file));
         if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) files.push_back(scene_.resolve(mesh->file));
     }
     if (scene_.environment.image) files.push_back(scene_.resolve(*scene_.environment.image));
-    std::vector<Stamp> stamps;
-    for (const std::filesystem::path& file : files) {
-        std::error_code missing;
-        stamps.emplace_back(file, std::filesystem::last_write_time(file, missing));
-    }
-    return stamps;
+    return files;
+}
+
+std::string Document::textFor(const std::filesystem::path& folder) const {
+    Scene scene = movedTo(folder, scene_);
+    if (file_.extension() != ".toml") return resolvedToml(scene);
+    std::ifstream file(file_, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    scene.render.size = sizeIn(text, scene_);
+    return editedToml(text, scene_.folder, scene);
 }
 
 } // namespace eikonal::window

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "common/effects.h"
@@ -35,19 +34,18 @@ public:
     Redo set(const std::string& override);
     /// Reads the file again; the camera stays where it is. Throws badInput; the document is then as it was.
     void reload();
-    /// Whether a file that the scene names, or its own, is another one than when this was last asked.
-    bool filesHaveChanged();
+    /// Its own file and those that the scene names.
+    std::vector<std::filesystem::path> files() const;
+    /// The scene as a file for a folder: its own file's text with the values that differ, or one of its own for a volume or a
+    /// mesh. Paths lead to the same files from there.
+    std::string textFor(const std::filesystem::path& folder) const;
 
 private:
-    using Stamp = std::pair<std::filesystem::path, std::filesystem::file_time_type>;
-    std::vector<Stamp> stamps() const;
-
     std::filesystem::path file_;
     std::vector<std::string> overrides_;
     Scene scene_;
     std::shared_ptr<const Fields> fields_;
     EffectSet effects_;
-    std::vector<Stamp> stamps_;
 };
 
 } // namespace eikonal::window

@@ -24,16 +24,20 @@ struct Word {
     std::string_view expected;
 };
 
-constexpr std::array<Word, 11> kWords{{
+constexpr std::array<Word, 15> kWords{{
     {"cursor", EventKind::kCursor, Form::kPoint, "x and y in pixels"},
     {"button", EventKind::kButton, Form::kSwitch, "a button and 'down' or 'up'"},
     {"scroll", EventKind::kScroll, Form::kNumber, "notches"},
     {"key", EventKind::kKey, Form::kSwitch, "a key and 'down' or 'up'"},
     {"text", EventKind::kText, Form::kRest, "characters"},
     {"size", EventKind::kSize, Form::kPoint, "width and height in pixels"},
+    {"minimise", EventKind::kMinimise, Form::kNothing, "nothing"},
+    {"restore", EventKind::kRestore, Form::kNothing, "nothing"},
     {"drop", EventKind::kDrop, Form::kRest, "a file"},
+    {"save", EventKind::kSave, Form::kRest, "a file"},
     {"set", EventKind::kSet, Form::kRest, "key.path=value"},
     {"wait", EventKind::kWait, Form::kNothing, "nothing"},
+    {"changed", EventKind::kChanged, Form::kNothing, "nothing"},
     {"screenshot", EventKind::kScreenshot, Form::kRest, "a file"},
     {"quit", EventKind::kQuit, Form::kNothing, "nothing"},
 }};

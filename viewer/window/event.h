@@ -7,9 +7,12 @@
 //   15 key h down                a key by its name
 //   15 text 0.5                  characters typed
 //   20 size 1280 720             of the window [pixels]
+//   21 minimise                  the window; restore: shows it again
 //   30 drop scenes/ball.toml     a file dropped on the window
+//   32 save lit.toml             the scene, or with .vdb its light once that is refined
 //   40 set light.0.power=[9,9,9] a value of the scene, as --set has it
 //   50 wait                      until picture and light are refined; frames do not count meanwhile
+//   50 changed                   until a watched file was another one and was read again, or tried to; neither
 //   51 screenshot shot.png       what the window shows
 //   52 quit
 
@@ -23,7 +26,7 @@
 
 namespace eikonal::window {
 
-enum class EventKind { kCursor, kButton, kScroll, kKey, kText, kSize, kDrop, kSet, kWait, kScreenshot, kQuit };
+enum class EventKind { kCursor, kButton, kScroll, kKey, kText, kSize, kMinimise, kRestore, kDrop, kSave, kSet, kWait, kChanged, kScreenshot, kQuit };
 
 struct Event {
     std::uint64_t frame = 0;

@@ -11,6 +11,8 @@ namespace {
 constexpr double kMemory = 0.7;        // weight of what was measured before: one slow frame changes little
 constexpr std::size_t kFewestRays = 512;
 constexpr std::array kDivisors = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0};
+constexpr double kLegibleDivisor = 3.0;
+constexpr double kPatience = 2.0;  // frames that a legible picture may take instead of one
 
 glm::ivec2 divided(const glm::ivec2& size, double divisor) {
     return glm::max(glm::ivec2(glm::round(glm::dvec2(size) / divisor)), glm::ivec2(1));
@@ -30,7 +32,8 @@ Detail Governor::moving(const glm::ivec2& fullSize) const {
     if (pixels(fullSize) * secondsPerRay(true) <= frameSeconds_) return {fullSize, true};
     for (const double divisor : kDivisors) {
         const glm::ivec2 size = divided(fullSize, divisor);
-        if (pixels(size) * secondsPerRay(false) <= frameSeconds_) return {size, false};
+        const double affordable = frameSeconds_ * (divisor < kLegibleDivisor ? 1.0 : kPatience);
+        if (pixels(size) * secondsPerRay(false) <= affordable) return {size, false};
     }
     return {divided(fullSize, kDivisors.back()), false};
 }

@@ -1,5 +1,7 @@
 #include "viewer/window/hud.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -15,6 +17,7 @@ namespace {
 constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs;
+constexpr float kHudWidth = 290.0f;  // pixels
 constexpr double kMebibyte = 1024.0 * 1024.0;
 
 void line(const char* label, const std::string& value) {
@@ -23,14 +26,17 @@ void line(const char* label, const std::string& value) {
     ImGui::TextUnformatted(value.c_str());
 }
 
-void drawProbe(const gpu::FilmPixel& pixel) {
+/// Always the same rows, so that nothing below them moves.
+void drawProbe(const std::optional<gpu::FilmPixel>& probe) {
     ImGui::Separator();
     ImGui::TextDisabled("under the pointer");
-    line("radiance", fmt::format("{:.3g}  {:.3g}  {:.3g}", pixel.radiance.x, pixel.radiance.y, pixel.radiance.z));
-    line("depth", fmt::format("{:.3g}  {:.3g}  {:.3g}", pixel.depth.x, pixel.depth.y, pixel.depth.z));
+    const gpu::FilmPixel pixel = probe.value_or(gpu::FilmPixel{});
+    const auto row = [&](const char* label, const std::string& value) { line(label, probe ? value : "-"); };
+    row("radiance", fmt::format("{:.3g}  {:.3g}  {:.3g}", pixel.radiance.x, pixel.radiance.y, pixel.radiance.z));
+    row("depth", fmt::format("{:.3g}  {:.3g}  {:.3g}", pixel.depth.x, pixel.depth.y, pixel.depth.z));
     const glm::vec3& exit = pixel.exitDirection;
-    line("goes to", fmt::format("{:.2f}  {:.2f}  {:.2f}", exit.x, exit.y, exit.z));
-    line("steps", fmt::format("{:.0f}", pixel.steps));
+    row("goes to", fmt::format("{:.2f}  {:.2f}  {:.2f}", exit.x, exit.y, exit.z));
+    row("steps", fmt::format("{:.0f}", pixel.steps));
 }
 
 } // namespace
@@ -38,6 +44,7 @@ void drawProbe(const gpu::FilmPixel& pixel) {
 void drawHud(const HudState& state) {
     ImGui::SetNextWindowPos(ImVec2(10.0f, 10.0f));
     ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(kHudWidth, 0.0f), ImVec2(kHudWidth, 1e4f));
     ImGui::Begin("numbers", nullptr, kOverlay);
     line("frame", fmt::format("{:.0f} ms", 1e3 * state.frameSeconds));
     line("picture", fmt::format("{} x {} of {} x {}", state.pictureSize.x, state.pictureSize.y, state.screenSize.x,
@@ -48,7 +55,7 @@ void drawHud(const HudState& state) {
     line("light", state.bakeProgress ? fmt::format("{}, baking {:.0f} %", state.lightState, 100.0 * *state.bakeProgress)
                                      : state.lightState);
     line("memory", fmt::format("{:.0f} MiB", double(state.memoryBytes) / kMebibyte));
-    if (state.probe) drawProbe(*state.probe);
+    drawProbe(state.probe);
     ImGui::TextDisabled("H: keys");
     ImGui::End();
 }
@@ -102,7 +109,7 @@ void drawMessage(const std::string& text, bool isError) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(10.0f, screen.y - 10.0f), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
     ImGui::Begin("message", nullptr, kOverlay);
-    ImGui::PushTextWrapPos(0.6f * screen.x);
+    ImGui::PushTextWrapPos(std::max(screen.x - kPanelWidth - 40.0f, 100.0f));
     if (isError) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.6f, 0.5f, 1.0f));
     ImGui::TextUnformatted(text.c_str());
     if (isError) ImGui::PopStyleColor();

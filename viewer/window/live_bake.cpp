@@ -5,25 +5,17 @@
 #include <exception>
 #include <utility>
 
-#include "common/gpu/context.h"
 #include "common/scene_hash.h"
-#include "lightsim/bake.h"
+#include "viewer/window/coarse_scene.h"
 
 namespace eikonal::window {
 
 namespace {
 
-constexpr int kCoarseResolution = 32;      // voxels along the longest side
-constexpr double kCoarseTolerance = 0.25;
 constexpr std::uint32_t kRaysAtATime = 16384;  // of a fine bake: short batches, between which it can be given up
 
 /// Ends a bake from its progress callback; no failure.
 struct GivenUp {};
-
-Accuracy coarse(Accuracy accuracy) {
-    accuracy.tolerance = std::max(accuracy.tolerance, kCoarseTolerance);
-    return accuracy;
-}
 
 /// What a simulator is made for: all that the bake depends on but the lights.
 std::string simulatorKey(const Scene& scene) {
@@ -34,21 +26,18 @@ std::string simulatorKey(const Scene& scene) {
     return key;
 }
 
-bool isCoarseAlready(const Scene& scene) {
-    return scene.domain.resolution <= kCoarseResolution && scene.accuracy.tolerance >= kCoarseTolerance;
-}
-
 } // namespace
 
 /// Simulators stay while matter stays: what they have on the device depends on it alone.
 struct LiveBake::Worker {
     LiveBake& owner;
-    gpu::Context context = gpu::Context::windowless();
+    gpu::Context context;
     std::shared_ptr<const Fields> fields;
     std::string key;
     EffectSet effects;
     std::optional<Fields> coarseFields;
     std::unique_ptr<LightSimulator> coarseSimulator, fineSimulator;
+    std::uint64_t number = 0;  ///< of the request under way
 
     std::unique_ptr<LightSimulator> simulator(const Scene& scene, const Fields& on, bool mayGiveUp) {
         BakeOptions options;
@@ -66,10 +55,8 @@ struct LiveBake::Worker {
         fields = request.fields;
         key = simulatorKey(request.scene);
         effects = request.effects;
-        if (!isCoarseAlready(request.scene)) {
-            Scene scene = request.scene;
-            scene.domain.resolution = std::min(scene.domain.resolution, kCoarseResolution);
-            scene.accuracy = coarse(scene.accuracy);
+        if (!isCoarse(request.scene)) {
+            const Scene scene = coarse(request.scene);
             coarseFields = composeFields(scene);
             coarseSimulator = simulator(scene, *coarseFields, false);
         }
@@ -79,8 +66,16 @@ struct LiveBake::Worker {
     void bake(const BakeRequest& request) {
         if (request.fields != fields || simulatorKey(request.scene) != key) prepare(request);
         const LightSet lights = lightsAt(lightsOf(request.scene, request.effects), request.frame);
-        if (coarseSimulator) deliver(bakeWith(*coarseSimulator, lights), true);
-        if (!owner.newer_ && !owner.stop_) deliver(bakeWith(*fineSimulator, lights), false);
+        if (coarseSimulator) deliver(bakeWith(*coarseSimulator, lights), LightStage::kCoarse);
+        if (!owner.newer_ && !owner.stop_) deliver(bakeWith(*fineSimulator, lights), LightStage::kScene);
+    }
+
+    void bakeRough(const BakeRequest& request) {
+        Scene scene = request.scene;
+        scene.accuracy.tolerance = std::min(2.0 * scene.accuracy.tolerance, 1.0);
+        effects = request.effects;
+        const auto rough = simulator(scene, *request.fields, true);
+        deliver(bakeWith(*rough, lightsAt(lightsOf(scene, effects), request.frame)), LightStage::kRough);
     }
 
     BakeResult bakeWith(LightSimulator& simulator, const LightSet& lights) {
@@ -88,13 +83,13 @@ struct LiveBake::Worker {
         return simulator.bake(lights);
     }
 
-    void deliver(BakeResult result, bool isCoarse) {
+    void deliver(BakeResult result, LightStage stage) {
         const std::lock_guard lock(owner.mutex_);
-        owner.done_ = LiveLight{std::move(result.light), isCoarse, result.statistics.seconds.total};
+        owner.done_ = LiveLight{std::move(result.light), stage, std::move(result.statistics), number};
     }
 };
 
-LiveBake::LiveBake() : thread_([this] { work(); }) {}
+LiveBake::LiveBake(const gpu::ContextOptions& context) : contextOptions_(context), thread_([this] { work(); }) {}
 
 LiveBake::~LiveBake() {
     {
@@ -105,14 +100,17 @@ LiveBake::~LiveBake() {
     thread_.join();
 }
 
-void LiveBake::start(BakeRequest request) {
+std::uint64_t LiveBake::start(BakeRequest request) {
+    std::uint64_t number = 0;
     {
         const std::lock_guard lock(mutex_);
         next_ = std::move(request);
+        number = ++requests_;
         newer_ = true;
         working_ = true;
     }
     wake_.notify_one();
+    return number;
 }
 
 std::optional<LiveLight> LiveBake::take() {
@@ -137,12 +135,18 @@ void LiveBake::work() {
         wake_.wait(lock, [&] { return stop_ || next_; });
         if (stop_) return;
         const BakeRequest request = *std::exchange(next_, std::nullopt);
+        const std::uint64_t number = requests_;
         newer_ = false;
         lock.unlock();
         std::optional<std::string> error;
         try {
-            if (!worker) worker.emplace(Worker{.owner = *this});
-            worker->bake(request);
+            if (!worker) worker.emplace(Worker{.owner = *this, .context = gpu::Context::windowless(contextOptions_)});
+            worker->number = number;
+            if (request.rough) {
+                worker->bakeRough(request);
+            } else {
+                worker->bake(request);
+            }
         } catch (const GivenUp&) {
         } catch (const std::exception& failed) {
             error = failed.what();

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,7 +14,9 @@
 #include "common/baked_light.h"
 #include "common/effects.h"
 #include "common/fields.h"
+#include "common/gpu/context.h"
 #include "common/scene.h"
+#include "lightsim/bake.h"
 
 namespace eikonal::window {
 
@@ -23,24 +26,30 @@ struct BakeRequest {
     std::shared_ptr<const Fields> fields;
     EffectSet effects;
     double frame = 0.0;  ///< of the lights' keyframes
+    bool rough = false;  ///< only at twice the tolerance, to compare with
 };
+
+/// Coarse: at once. Scene: as the scene asks. Rough: at twice its tolerance.
+enum class LightStage { kCoarse, kScene, kRough };
 
 struct LiveLight {
     BakedLight light;
-    bool coarse = false;
-    double seconds = 0.0;
+    LightStage stage = LightStage::kScene;
+    BakeStatistics statistics;
+    std::uint64_t request = 0;  ///< that it answers
 };
 
 class LiveBake {
 public:
-    LiveBake();
+    /// `context`: of the device that it makes for itself.
+    explicit LiveBake(const gpu::ContextOptions& context = {});
     LiveBake(const LiveBake&) = delete;
     LiveBake& operator=(const LiveBake&) = delete;
     ~LiveBake();
 
     /// Bakes for this scene from now on. A coarse bake under way is finished, so that a light that is dragged without a
-    /// rest shows too; a fine one is given up.
-    void start(BakeRequest request);
+    /// rest shows too; a fine one is given up. Returns the request's number; numbers ascend.
+    std::uint64_t start(BakeRequest request);
     /// The newest light that is done and was not taken yet.
     std::optional<LiveLight> take();
     /// Why the latest bake failed, once.
@@ -54,9 +63,11 @@ private:
     struct Worker;
     void work();
 
+    gpu::ContextOptions contextOptions_;
     mutable std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<BakeRequest> next_;
+    std::uint64_t requests_ = 0;
     std::optional<LiveLight> done_;
     std::optional<std::string> error_;
     bool working_ = false;

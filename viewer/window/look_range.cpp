@@ -22,6 +22,8 @@ viewer::LookSettings withRange(viewer::LookSettings look, const Fields& fields, 
     look.highest = 1.0;
     if (look.look == viewer::Look::kSteps) {
         look.highest = 2.0 * glm::length(glm::dvec3(fields.lattice.size));
+    } else if (look.look == viewer::Look::kError) {
+        look.highest = 10.0;
     } else if (look.look == viewer::Look::kRadiance) {
         look.lowest = -8.0;
         look.highest = 2.0;

@@ -4,6 +4,9 @@
 
 #include <fmt/core.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "viewer/window/false_color.h"
 
 namespace eikonal::window {
 
@@ -68,6 +71,48 @@ void sliceControls(const PanelState& state, viewer::LookSettings& look) {
     look.slicePosition = position;
 }
 
+/// The colours from the first value to the last.
+void legend() {
+    constexpr int kPieces = 32;
+    ImDrawList* canvas = ImGui::GetWindowDrawList();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, 10.0f);
+    for (int i = 0; i < kPieces; ++i) {
+        const glm::vec3 color = 255.0f * falseColor((float(i) + 0.5f) / kPieces);
+        const ImVec2 from(corner.x + size.x * float(i) / kPieces, corner.y);
+        const ImVec2 to(corner.x + size.x * float(i + 1) / kPieces, corner.y + size.y);
+        canvas->AddRectFilled(from, to, IM_COL32(int(color.r), int(color.g), int(color.b), 255));
+    }
+    ImGui::Dummy(size);
+}
+
+void overlayControls(Overlays& overlays) {
+    ImGui::Checkbox("rays of the lights, and of the pointer", &overlays.rays);
+    ImGui::Checkbox("wavefront", &overlays.fronts);
+    if (!overlays.fronts) return;
+    ImGui::SameLine();
+    ImGui::Checkbox("moves", &overlays.frontsMove);
+    ImGui::SameLine();
+    float percent = float(100.0 * overlays.frontTime);
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::SliderFloat("##time", &percent, 0.0f, 100.0f, "at %.0f %%")) {
+        overlays.frontsMove = false;
+        overlays.frontTime = 0.01 * double(percent);
+    }
+}
+
+void accuracyRows(const AccuracyReport& report) {
+    const auto percent = [](const std::optional<double>& share) { return share ? fmt::format("{:.2g} %", 100.0 * *share) : "-"; };
+    const auto seconds = [](const std::optional<double>& s) { return s ? fmt::format("{:.1f} s", *s) : "-"; };
+    ImGui::TextDisabled("takes: light %s, picture %s", seconds(report.lightSeconds).c_str(), seconds(report.pictureSeconds).c_str());
+    if (report.pictureError) {
+        ImGui::TextDisabled("off by: light %s, picture %s", percent(report.lightError).c_str(),
+                            percent(report.pictureError).c_str());
+    } else {
+        ImGui::TextDisabled("off by: look at 'error estimate' to see");
+    }
+}
+
 void waysToLook(const PanelState& state, PanelAnswer& answer) {
     if (!ImGui::CollapsingHeader("look at", ImGuiTreeNodeFlags_DefaultOpen)) return;
     viewer::LookSettings& look = answer.look;
@@ -83,14 +128,17 @@ void waysToLook(const PanelState& state, PanelAnswer& answer) {
                         look.look == viewer::Look::kDirection;
     if (slices) sliceControls(state, look);
     if (look.look != viewer::Look::kImage && look.look != viewer::Look::kDirection) {
+        legend();
         double range[2] = {look.lowest, look.highest};
         ImGui::SetNextItemWidth(-1.0f);
         ImGui::DragScalarN("##range", ImGuiDataType_Double, range, 2, 0.02f, nullptr, nullptr, "%.3g");
         look.lowest = range[0];
         look.highest = range[1];
     }
+    ImGui::PushTextWrapPos(0.0f);
     if (!shown.legend.empty()) ImGui::TextDisabled("%s", shown.legend.data());
-    ImGui::Checkbox("rays of the lights, and of the pointer", &answer.rays);
+    ImGui::PopTextWrapPos();
+    overlayControls(answer.overlays);
 }
 
 } // namespace
@@ -108,6 +156,7 @@ void Panel::sections(const PanelState& state, PanelAnswer& answer) {
     for (const WrittenSection& section : writeSections(state.scene)) {
         const bool open = section.path.rfind("light.", 0) == 0;
         if (!ImGui::CollapsingHeader(title(section).c_str(), open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) continue;
+        if (section.path == "accuracy") accuracyRows(state.accuracy);
         for (std::size_t i = 0; i < section.values.size(); ++i) {
             const auto& [key, text] = section.values[i];
             const std::string path = section.path + "." + key;
@@ -119,8 +168,17 @@ void Panel::sections(const PanelState& state, PanelAnswer& answer) {
     }
 }
 
+void Panel::saving(PanelAnswer& answer) {
+    if (!ImGui::CollapsingHeader("save scene as")) return;
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputText("##file", &wish_.file);
+    if (ImGui::Button("save")) answer.save = wish_;
+    ImGui::SameLine();
+    ImGui::Checkbox("its light too, as .vdb", &wish_.light);
+}
+
 PanelAnswer Panel::draw(const PanelState& state) {
-    PanelAnswer answer{{}, state.look, state.rays};
+    PanelAnswer answer{{}, state.look, state.overlays, {}};
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(screen.x - kPanelWidth - 10.0f, 10.0f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(kPanelWidth, 0.0f), ImVec2(kPanelWidth, screen.y - 20.0f));
@@ -130,6 +188,7 @@ PanelAnswer Panel::draw(const PanelState& state) {
     waysToLook(state, answer);
     effects(state, answer);
     sections(state, answer);
+    saving(answer);
     ImGui::End();
     return answer;
 }

@@ -14,13 +14,34 @@
 
 namespace eikonal::window {
 
+/// What is drawn over the picture.
+struct Overlays {
+    bool rays = false;
+    bool fronts = false;      ///< the wavefront's patches
+    bool frontsMove = true;
+    double frontTime = 0.0;   ///< share of its way through the domain
+};
+
+/// What the accuracy that was asked for has come to, as far as it is known.
+struct AccuracyReport {
+    std::optional<double> pictureError, lightError;  ///< shares (error_estimate.h)
+    double pictureSeconds = 0.0;
+    std::optional<double> lightSeconds;
+};
+
+struct SaveWish {
+    std::string file;    ///< beside the scene, unless absolute
+    bool light = false;  ///< the bake too
+};
+
 /// What the panel shows of the program's state.
 struct PanelState {
     const Scene& scene;
     const EffectSet& effects;
     const Lattice& domain;
     viewer::LookSettings look;
-    bool rays;  ///< whether rays are drawn
+    Overlays overlays;
+    AccuracyReport accuracy;
     std::function<std::optional<double>(Effect)> effectCost;  ///< seconds a picture, where it has been seen on and off
 };
 
@@ -28,7 +49,8 @@ struct PanelState {
 struct PanelAnswer {
     std::vector<std::string> overrides;  ///< "key.path=value"
     viewer::LookSettings look;
-    bool rays;
+    Overlays overlays;
+    std::optional<SaveWish> save;
 };
 
 inline constexpr float kPanelWidth = 330.0f;  ///< pixels, at the right edge of the screen
@@ -39,8 +61,10 @@ public:
 
 private:
     void sections(const PanelState& state, PanelAnswer& answer);
+    void saving(PanelAnswer& answer);
 
     ValueEdit edit_;
+    SaveWish wish_{"scene.toml", false};
 };
 
 /// The value of `render.effects` that switches an effect on or off and leaves the others as they are.

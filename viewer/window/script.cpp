@@ -2,14 +2,17 @@
 
 namespace eikonal::window {
 
-std::vector<Event> Script::next(bool settled) {
-    if (waiting_ && !settled) return {};
-    waiting_ = false;
+std::vector<Event> Script::next(const State& state) {
+    const bool come = waitsFor_ == EventKind::kWait ? state.settled : state.readings > readingsBefore_;
+    if (waitsFor_ && !come) return {};
+    waitsFor_.reset();
     std::vector<Event> due;
     while (at_ < events_.size() && events_[at_].frame <= frame_) {
-        if (events_[at_].kind == EventKind::kWait) {
+        const EventKind kind = events_[at_].kind;
+        if (kind == EventKind::kWait || kind == EventKind::kChanged) {
             ++at_;
-            waiting_ = true;
+            waitsFor_ = kind;
+            readingsBefore_ = state.readings;
             return due;
         }
         due.push_back(events_[at_++]);

@@ -14,7 +14,8 @@ using Clock = std::chrono::steady_clock;
 
 // A coarse ray takes steps of twice the length. Longer ones would pass boundaries without being bent by them.
 constexpr double kCoarseStep = 2.0;
-constexpr double kCoarseCost = 0.6;  // of a fine ray: matter is sampled once a voxel by both
+constexpr double kCoarseMatter = 2.0;  // voxels between samples of matter, which takes most of a ray's time in smoke
+constexpr double kCoarseCost = 0.5;    // of a fine ray
 
 constexpr double kNoLimit = 3600.0;  // seconds
 
@@ -70,6 +71,12 @@ void Session::setLook(const viewer::LookSettings& look) {
     repaint();
 }
 
+void Session::compareWith(const ProgressiveImage* image) {
+    if (image == compared_) return;
+    compared_ = image;
+    repaint();
+}
+
 void Session::repaint() {
     if (image_.samples() > 0) {
         paint();
@@ -80,7 +87,11 @@ void Session::repaint() {
 
 void Session::begin(const Detail& detail) {
     current_ = detail;
-    image_.setStep(detail.fine ? fineStep_ : kCoarseStep * fineStep_);
+    if (detail.fine) {
+        image_.setStep(fineStep_);
+    } else {
+        image_.setStep(kCoarseStep * fineStep_, kCoarseMatter);
+    }
     image_.setFrame(detail.size, {{0, 0}, detail.size});
 }
 
@@ -102,17 +113,25 @@ void Session::paint() {
     if (!picture_ || picture_->size() != current_.size) {
         picture_.emplace(context_, gpu::TexelFormat::kRgba8, current_.size, "picture");
     }
-    image_.paint(look_, *picture_);
+    viewer::LookSettings look = look_;
+    const bool compares = look.look == viewer::Look::kError && compared_ && isRefined();
+    if (look.look == viewer::Look::kError && !compares) look.look = viewer::Look::kImage;
+    image_.paint(look, *picture_, compares ? compared_ : nullptr);
     shown_ = current_;
 }
 
-void Session::advance() {
+bool Session::hasWork(bool lightComes) const {
+    const bool isWhole = current_.fine && image_.samples() > 0;
+    return changed_ || (!isRefined() && !(lightComes && isWhole));
+}
+
+void Session::advance(bool lightComes) {
     if (changed_) {
         begin(governor_.moving(fullSize_));
         followRays(kNoLimit);
         changed_ = false;
         paint();
-    } else if (!isRefined()) {
+    } else if (hasWork(lightComes)) {
         if (image_.samples() > 0 && !current_.fine) begin(Governor::refined(current_, fullSize_));
         if (followRays(governor_.frameSeconds())) paint();
     }

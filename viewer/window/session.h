@@ -21,9 +21,15 @@ public:
     void setLight(const BakedLight& light);
     void setExposure(double ev);
     void setLook(const viewer::LookSettings& look);
+    /// An image of the same size that the refined picture is compared with by the look that shows errors; nullptr: none yet.
+    /// It must outlive its use.
+    void compareWith(const ProgressiveImage* image);
 
-    /// The work of one frame: a whole coarse picture if something has changed, else a part of a better one.
-    void advance();
+    /// The work of one frame: a whole coarse picture if something has changed, else a part of a better one. `lightComes`: no
+    /// samples beyond the first, which other light would make worthless.
+    void advance(bool lightComes);
+    /// Whether there is any.
+    bool hasWork(bool lightComes) const;
 
     /// Whether the picture has every pixel and all samples of the scene.
     bool isRefined() const { return !changed_ && current_.fine && image_.samples() >= samples_; }
@@ -37,6 +43,8 @@ public:
     const std::vector<std::pair<std::string, double>>& passSeconds() const { return timer_.seconds(); }
     /// Seconds of a ray with the scene's own step, as last measured.
     double secondsPerRay() const { return governor_.secondsPerRay(true); }
+    /// Rays that a frame is enough for.
+    std::size_t raysInAFrame() const { return governor_.raysWithin(governor_.frameSeconds(), true); }
     int samplesWanted() const { return samples_; }
     /// Evaluations of the index field for each ray that entered the domain, so far.
     double stepsPerRay() const;
@@ -59,6 +67,7 @@ private:
     Detail current_, shown_;
     bool changed_ = true;
     viewer::LookSettings look_;
+    const ProgressiveImage* compared_ = nullptr;
     std::optional<gpu::Texture2D> picture_;
 };
 

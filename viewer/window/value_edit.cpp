@@ -46,6 +46,15 @@ bool editNumbers(std::string& text, std::vector<double> numbers, bool isInteger)
     return changed;
 }
 
+bool editByFactors(std::string& text, double number, const ValueForm& form) {
+    if (!ImGui::SliderScalar("##value", ImGuiDataType_Double, &number, &form.usual[0], &form.usual[1], "%.3g",
+                             ImGuiSliderFlags_Logarithmic)) {
+        return false;
+    }
+    text = textOfNumbers({number}, false);
+    return true;
+}
+
 /// Expressions, files and lists, as TOML; applied with Enter.
 bool editText(std::string& text) { return ImGui::InputText("##value", &text, ImGuiInputTextFlags_EnterReturnsTrue); }
 
@@ -84,6 +93,8 @@ std::optional<std::string> ValueEdit::row(const std::string& path, const std::st
         changed = atOnce = editFlag(edited);
     } else if (!form.choices.empty()) {
         changed = atOnce = editChoice(edited, form);
+    } else if (numbers && form.usual[0] < form.usual[1]) {
+        changed = editByFactors(edited, numbers->front(), form);
     } else if (numbers) {
         changed = editNumbers(edited, *numbers, form.isInteger);
     } else {

@@ -11,35 +11,53 @@ namespace eikonal::window {
 
 Viewer::Viewer(const ViewOptions& options)
     : options_(options), document_(options.file, options.overrides),
-      window_(document_.scene().render.size, "Eikonal: " + options.file.filename().string()),
+      window_(document_.scene().render.size, "Eikonal: " + options.file.filename().string(), {.shaderFolder = options.shaders}),
       screen_(window_.context(), "viewer/window/screen.vert.glsl", "viewer/window/screen.frag.glsl"),
-      pixels_(window_.pixels()) {
+      bake_({.shaderFolder = options.shaders}), fronts_({.shaderFolder = options.shaders}), pixels_(window_.pixels()) {
     if (!options.script.empty()) script_.emplace(readEvents(options.script));
     look_.slicePosition = middleOf(domain(), look_.sliceAxis);
-    makeSession();
+    session_ = sessionFor(document_, OldLight::kStays);
+    watchFiles();
     startBake();
+    say("Drag the lamp to move the light, drag elsewhere to turn the view. H lists the keys.", false);
 }
 
 bool Viewer::frame() {
     throwIfInterrupted();
+    cameraMoved_ = false;
     takeEvents();
     followFiles();
     advanceTime();
     takeLight();
     if (const glm::ivec2 size = window_.pixels(); size.x > 0 && size.y > 0) {
+        if (size != pixels_) pictureChanges();
         pixels_ = size;
         session_->resize(size);
-        session_->advance();
+        attempt([&] { session_->advance(bake_.isBusy()); });
         if (session_->isRefined()) costs_.measured(document_.effects(), session_->secondsPerRay());
-        attempt([&] { saveWhenRefined(); });
+        estimateError();
+        followFronts();
+        saveWhenSettled();
         draw();
     }
     window_.context().throwIfError();
     ++frameNumber_;
-    const auto now = Clock::now();
-    frameSeconds_ = std::chrono::duration<double>(now - frameStart_).count();
-    frameStart_ = now;
+    noteResponse();
     return !closing_;
+}
+
+void Viewer::noteResponse() {
+    const Instant now = instantNow();
+    const Instant took = now - frameStart_;
+    response_.frameEnded(took, session_->shown().size, cameraMoved_);
+    if (light_) response_.lightShown(light_->request, now);
+    if (isSettled()) response_.refined(now);
+    frameSeconds_ = took.clock;
+}
+
+bool Viewer::isSettled() const {
+    const bool estimated = !estimates() || (estimate_ && estimate_->isDone());
+    return session_->isRefined() && !bake_.isBusy() && !stillIsWanted_ && !lightFileWanted_ && estimated && !fronts_.isBusy();
 }
 
 void Viewer::finish() const {
@@ -50,12 +68,13 @@ void Viewer::finish() const {
     writeFile(options_.record, text);
 }
 
-void viewScene(const ViewOptions& options) {
+ResponseRecord viewScene(const ViewOptions& options) {
     if (!options.record.empty()) requireWritable(options.record);
     Viewer viewer(options);
     while (viewer.frame()) {
     }
     viewer.finish();
+    return viewer.response();
 }
 
 } // namespace eikonal::window

@@ -6,6 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "common/fields.h"
+#include "common/scene.h"
+#include "lightsim/bake.h"
+#include "viewer/window/response.h"
+
 namespace eikonal::window {
 
 struct ViewOptions {
@@ -13,13 +18,16 @@ struct ViewOptions {
     std::vector<std::string> overrides;  ///< "key.path=value"; render.size is the window's
     std::filesystem::path script;        ///< recording to replay; empty: none
     std::filesystem::path record;        ///< where to write what is done; empty: nowhere
+    std::filesystem::path shaders;       ///< folder that kernels are read from and watched in; empty: those in the program
     double frameSeconds = 0.033;         ///< what a frame may take while something moves
     std::string creator;                 ///< that written images name
     std::function<void(const std::string&)> print;  ///< a line for the person: the camera, what was saved
+    /// Writes the light of a scene to a file. May throw Error.
+    std::function<void(const std::filesystem::path&, const Scene&, const Fields&, const BakeResult&)> saveLight;
 };
 
-/// Opens the window and returns when it is closed. Throws Error(kNoDevice) without display or OpenGL 4.5, badInput for a
+/// Opens the window and returns, with how quickly it answered, when it is closed. Throws Error(kNoDevice) without display or OpenGL 4.5, badInput for a
 /// scene or recording that cannot be read.
-void viewScene(const ViewOptions& options);
+ResponseRecord viewScene(const ViewOptions& options);
 
 } // namespace eikonal::window

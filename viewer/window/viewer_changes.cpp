@@ -3,14 +3,11 @@
 
 #include "common/error.h"
 #include "viewer/window/light_handle.h"
-#include "viewer/window/look_range.h"
 #include "viewer/window/viewer_state.h"
 
 namespace eikonal::window {
 
 namespace {
-
-constexpr double kSecondsBetweenLooks = 0.5;  // at the files
 
 /// Light for a scene of which none has been baked yet.
 BakedLight darkness(const Lattice& domain) {
@@ -22,78 +19,88 @@ BakedLight darkness(const Lattice& domain) {
 
 } // namespace
 
+void Viewer::pictureChanges() {
+    response_.changed(frameStart_);
+    dropEstimate();
+}
+
 void Viewer::setCamera(const Camera& camera) {
+    pictureChanges();
     document_.setCamera(camera);
     session_->setCamera(camera);
     costs_.clear();
     rayPointer_.reset();
+    cameraMoved_ = true;
 }
 
 void Viewer::moveLight(std::size_t index) {
     if (!controls_.hasMoved()) return;
     const glm::dvec2 at = placeOf(controls_.pointer());
     document_.setLight(index, draggedTo(scene().lights[index], domain(), scene().camera, at, aspect()));
-    startBake();
+    if (const std::uint64_t request = startBake(); request > 0) response_.lightDragged(request, frameStart_);
 }
 
 void Viewer::apply(const std::vector<std::string>& overrides) {
-    for (const std::string& override : overrides) attempt([&] { redo(document_.set(override)); });
+    for (const std::string& override : overrides) attempt([&] { change(override); });
 }
 
-void Viewer::reload() {
-    document_.reload();
-    makeSession();
-    startBake();
+void Viewer::change(const std::string& override) {
+    Document changed = document_;
+    const Redo redo = changed.set(override);
+    adopt(std::move(changed), redo);
 }
 
-void Viewer::followFiles() {
-    const auto now = Clock::now();
-    if (now - lastLook_ < std::chrono::duration<double>(kSecondsBetweenLooks)) return;
-    lastLook_ = now;
-    if (document_.filesHaveChanged()) attempt([&] { reload(); });
-}
-
-void Viewer::redo(const Redo& redo) {
-    if (redo.image) makeSession();
+void Viewer::adopt(Document document, const Redo& redo, OldLight oldLight) {
+    std::unique_ptr<Session> session = redo.image ? sessionFor(document, oldLight) : nullptr;
+    if (session) session->advance(false);  // kernels are compiled when they are first used
+    pictureChanges();
+    document_ = std::move(document);
+    if (oldLight == OldLight::kGoes) light_.reset();
+    if (session) session_ = std::move(session);
     if (redo.camera) session_->setCamera(scene().camera);
     if (redo.exposure) session_->setExposure(scene().render.exposureEv);
     if (redo.light) startBake();
+    watchFiles();
+    if (messageIsError_) say({}, false);
 }
 
-void Viewer::startBake() {
+std::uint64_t Viewer::startBake() {
+    pictureChanges();
     rayPaths_.clear();
-    if (document_.wantsLight()) bake_.start({scene(), document_.fields(), document_.effects(), playing_.value_or(0.0)});
+    roughLight_.reset();
+    roughIsAsked_ = false;
+    frontsAreStale_ = true;
+    if (!document_.wantsLight()) return 0;
+    return bake_.start({scene(), document_.fields(), document_.effects(), keyframe_});
 }
 
 void Viewer::takeLight() {
-    if (auto light = bake_.take(); light && document_.wantsLight()) {
-        light_ = std::move(*light);
-        session_->setLight(light_->light);
+    if (auto light = bake_.take(); light && document_.wantsLight() && light->request >= oldestRequest_) {
+        if (light->stage == LightStage::kRough) {
+            roughLight_ = std::move(*light);
+        } else {
+            dropEstimate();
+            light_ = std::move(*light);
+            session_->setLight(light_->light);
+        }
     }
     if (const auto error = bake_.takeError()) say(*error, true);
 }
 
-void Viewer::makeSession() {
-    const BakedLight dark = darkness(domain());
-    const BakedLight* light = !document_.wantsLight() ? nullptr : light_ ? &light_->light : &dark;
-    auto next = std::make_unique<Session>(window_.context(), scene(), *document_.fields(), document_.effects(), light,
-                                          options_.frameSeconds);
-    next->resize(pixels_);
-    next->setLook(look_);
-    session_ = std::move(next);
+std::unique_ptr<Session> Viewer::sessionFor(const Document& document, OldLight oldLight) const {
+    const BakedLight dark = darkness(document.fields()->lattice);
+    const BakedLight* known = light_ && oldLight == OldLight::kStays ? &light_->light : &dark;
+    const BakedLight* light = document.wantsLight() ? known : nullptr;
+    auto session = std::make_unique<Session>(window_.context(), document.scene(), *document.fields(), document.effects(), light,
+                                             options_.frameSeconds);
+    session->resize(pixels_);
+    session->setLook(look_);
+    return session;
 }
 
-void Viewer::chooseLook(viewer::LookSettings look) {
-    if (look.look != look_.look) look = withRange(look, *document_.fields(), light_ ? &light_->light : nullptr);
-    if (look.sliceAxis != look_.sliceAxis) look.slicePosition = middleOf(domain(), look.sliceAxis);
-    look_ = look;
-    session_->setLook(look);
-}
-
-void Viewer::attempt(const std::function<void()>& change) {
+void Viewer::attempt(const std::function<void()>& action) {
     try {
-        change();
-        if (messageIsError_) say({}, false);
+        action();
     } catch (const Error& error) {
         say(error.what(), true);
     }

@@ -6,7 +6,6 @@
 #include "common/light_motion.h"
 #include "common/scene_toml.h"
 #include "viewer/window/light_handle.h"
-#include "viewer/window/look_range.h"
 #include "viewer/window/viewer_state.h"
 
 namespace eikonal::window {
@@ -18,11 +17,6 @@ constexpr double kIdleSeconds = 0.25;   // between looks at files where nothing 
 constexpr double kBakingSeconds = 0.05;  // between looks at a bake that works on the same processor
 constexpr double kFramesPerSecond = 24.0;   // of keyframes
 constexpr double kTurnPerSecond = 0.5;      // radians
-
-bool isEnvironmentMap(const std::string& file) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    return extension == ".hdr" || extension == ".exr";
-}
 
 /// The camera's section of a scene file.
 std::string cameraToml(const Camera& camera) {
@@ -51,11 +45,18 @@ double lastKeyframe(const Scene& scene) {
 
 } // namespace
 
+double Viewer::secondsToWait() const {
+    if (window_.pixels() == glm::ivec2(0) && !script_) return kIdleSeconds;
+    const bool estimating = estimates() && estimate_ && !estimate_->isDone();
+    const bool moves = plays_ || (overlays_.fronts && overlays_.frontsMove) || controls_.flown(scene().camera, 1.0);
+    if (moves || estimating || session_->hasWork(bake_.isBusy()) || (script_ && !script_->isWaiting())) return 0.0;
+    return script_ || bake_.isBusy() || fronts_.isBusy() ? kBakingSeconds : kIdleSeconds;
+}
+
 void Viewer::takeEvents() {
-    const bool idle = !script_ && !playing_ && session_->isRefined() && !controls_.flown(scene().camera, 1.0);
-    const double wait = idle ? (bake_.isBusy() ? kBakingSeconds : kIdleSeconds) : 0.0;
-    std::vector<Event> events = window_.poll(wait);
-    if (script_) events = script_->next(isSettled());
+    std::vector<Event> events = window_.poll(secondsToWait());
+    frameStart_ = instantNow();
+    if (script_) events = script_->next({isSettled(), readings_});
     for (Event& event : events) {
         event.frame = frameNumber_;
         handle(event);
@@ -76,17 +77,22 @@ void Viewer::handle(const Event& event) {
             break;
         case EventKind::kKey: handleKey(event); break;
         case EventKind::kSize: window_.resize(glm::ivec2(event.at)); break;
+        case EventKind::kMinimise: window_.minimise(); break;
+        case EventKind::kRestore: window_.restore(); break;
         case EventKind::kDrop: attempt([&] { open(event.name); }); break;
+        case EventKind::kSave: attempt([&] { save(event.name); }); break;
         case EventKind::kSet: apply({event.name}); break;
         case EventKind::kScreenshot: screenshots_.push_back(event.name); break;
         case EventKind::kQuit: closing_ = true; break;
         case EventKind::kText:
-        case EventKind::kWait: break;
+        case EventKind::kWait:
+        case EventKind::kChanged: break;
     }
 }
 
 void Viewer::handleButton(const Event& event) {
     dragAlong();
+    if (event.down && !messageIsError_) say({}, false);
     if (event.down && gui_.wantsMouse()) return;
     controls_.press(event, lightUnderPointer());
 }
@@ -108,27 +114,16 @@ void Viewer::act(Action action) {
         case Action::kFullScreen: return window_.toggleFullScreen();
         case Action::kKeyList: keyList_ = !keyList_; return;
         case Action::kPanels: panels_ = !panels_; return;
-        case Action::kSaveStill: savePending_ = true; return;
+        case Action::kSaveStill: stillIsWanted_ = true; return;
         case Action::kPrintCamera: return options_.print(cameraToml(camera));
         case Action::kReload: return reload();
-        case Action::kPlay: playing_ = playing_ ? std::nullopt : std::optional(0.0); return;
-        case Action::kSaveScene: return saveScene();
+        case Action::kPlay: plays_ = !plays_; return;
+        case Action::kSaveScene: return saveNumberedScene();
+        case Action::kRays: overlays_.rays = !overlays_.rays; return;
+        case Action::kFronts: overlays_.fronts = !overlays_.fronts; return;
         case Action::kNextLook: return chooseLook(nextLook(look_));
         case Action::kQuit: closing_ = true; return;
     }
-}
-
-void Viewer::open(const std::string& file) {
-    if (isEnvironmentMap(file)) {
-        redo(document_.set("environment.image=" + std::filesystem::absolute(file).string()));
-        return;
-    }
-    document_ = Document(file, {});
-    light_.reset();
-    look_ = {};
-    look_.slicePosition = middleOf(domain(), look_.sliceAxis);
-    makeSession();
-    startBake();
 }
 
 void Viewer::dragAlong() {
@@ -143,14 +138,14 @@ void Viewer::dragAlong() {
 
 void Viewer::advanceTime() {
     if (const auto flown = controls_.flown(scene().camera, tick())) setCamera(*flown);
-    if (!playing_) return;
+    if (!plays_) return;
     const double last = lastKeyframe(scene());
     if (last <= 0.0) {
         setCamera(orbited(scene().camera, {kTurnPerSecond * tick(), 0.0}));
         return;
     }
-    playing_ = *playing_ + kFramesPerSecond * tick();
-    if (*playing_ > last) playing_ = 0.0;
+    keyframe_ += kFramesPerSecond * tick();
+    if (keyframe_ > last) keyframe_ = 0.0;
     startBake();
 }
 

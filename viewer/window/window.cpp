@@ -44,6 +44,9 @@ void installCallbacks(GLFWwindow* window) {
         if (character <= ' ' || character >= 127) return;  // numbers and names of files, as the panel takes them
         windowOf(w).push({.kind = EventKind::kText, .name = std::string(1, char(character))});
     });
+    glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int iconified) {
+        windowOf(w).push({.kind = iconified == GLFW_TRUE ? EventKind::kMinimise : EventKind::kRestore});
+    });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
         for (int i = 0; i < count; ++i) windowOf(w).push({.kind = EventKind::kDrop, .name = files[i]});
     });
@@ -67,7 +70,7 @@ GLFWwindow* openWindow(const glm::ivec2& size, const std::string& title) {
 
 } // namespace
 
-Window::Window(const glm::ivec2& size, const std::string& title) {
+Window::Window(const glm::ivec2& size, const std::string& title, const gpu::ContextOptions& options) {
     if (!glfwInit()) throw Error(ExitCode::kNoDevice, "no window: expected a display to open one on: " + lastGlfwError());
     window_ = openWindow(size, title);
     if (!window_) {
@@ -79,7 +82,7 @@ Window::Window(const glm::ivec2& size, const std::string& title) {
     installCallbacks(window_);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
-    context_.emplace(gpu::Context::ofCurrent([window = window_] { glfwMakeContextCurrent(window); }));
+    context_.emplace(gpu::Context::ofCurrent([window = window_] { glfwMakeContextCurrent(window); }, options));
 }
 
 Window::~Window() {
@@ -103,6 +106,7 @@ bool Window::isClosing() const { return glfwWindowShouldClose(window_) == GLFW_T
 
 glm::ivec2 Window::pixels() const {
     glm::ivec2 size(0);
+    if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE) return size;
     glfwGetFramebufferSize(window_, &size.x, &size.y);
     return size;
 }
@@ -113,7 +117,13 @@ glm::dvec2 Window::pixelOf(const glm::dvec2& place) const {
     return place * glm::dvec2(pixels()) / glm::dvec2(glm::max(size, glm::ivec2(1)));
 }
 
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
 void Window::resize(const glm::ivec2& size) { glfwSetWindowSize(window_, size.x, size.y); }
+
+void Window::minimise() { glfwIconifyWindow(window_); }
+
+void Window::restore() { glfwRestoreWindow(window_); }
 
 void Window::toggleFullScreen() {
     if (glfwGetWindowMonitor(window_)) {

@@ -17,7 +17,7 @@ namespace eikonal::window {
 class Window {
 public:
     /// Throws Error(kNoDevice) without a display or OpenGL 4.5 core.
-    Window(const glm::ivec2& size, const std::string& title);
+    Window(const glm::ivec2& size, const std::string& title, const gpu::ContextOptions& options = {});
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
     ~Window();
@@ -29,7 +29,10 @@ public:
     void show();  ///< what was drawn
     bool isClosing() const;
     glm::ivec2 pixels() const;  ///< of the framebuffer; 0 while the window is minimised
+    void setTitle(const std::string& title);
     void resize(const glm::ivec2& size);
+    void minimise();
+    void restore();
     void toggleFullScreen();
     /// What was drawn and not shown yet: rows from the top, 0 to 1.
     std::vector<glm::vec3> screenshot() const;
