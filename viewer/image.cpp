@@ -35,6 +35,14 @@ std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const
                              {.tolerance = scene.accuracy.tolerance, .lit = bake != nullptr});
 }
 
+std::optional<viewer::Reflections> reflectionsFor(const gpu::Context& context, const Scene& scene,
+                                                  const EffectSet& effects, const GpuFields& fields,
+                                                  const RenderOptions& options) {
+    if (!viewer::Reflections::areNeeded(effects, scene.accuracy.reflections)) return std::nullopt;
+    return viewer::Reflections(context, fields.defines(), {scene.accuracy.reflections, scene.accuracy.tolerance},
+                               options.tileRays);
+}
+
 bool hasGreyMatter(const Fields& fields) {
     return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
 }
@@ -48,6 +56,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       passes_(spectralBandsOf(scene.accuracy, effects), scene.render.samples), hasGreyMatter_(hasGreyMatter(fields)),
       light_(context, bake, passes_.bandCount()),
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
+      reflections_(reflectionsFor(context, scene, effects, fields_, options)),
       batch_(context, options.tileRays),
       generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
       stepVoxels_(stepVoxelsOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
@@ -58,6 +67,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
     environment_.configure(view);
     configureLight();
     if (clearance_) clearance_->configure(view);
+    if (reflections_) reflections_->configure(view);
     march().configure(view);
     setExposure(scene.render.exposureEv);
 }
@@ -67,6 +77,7 @@ std::vector<std::string> ProgressiveImage::allDefines() const {
     append(defines, environment_.defines());
     append(defines, light_.defines());
     if (clearance_) append(defines, clearance_->defines());
+    if (reflections_) append(defines, reflections_->defines());
     return defines;
 }
 
@@ -123,6 +134,7 @@ void ProgressiveImage::bind() {
     light_.bind();
     environment_.bind();
     if (clearance_) clearance_->bind();
+    if (reflections_) reflections_->bind();
     accumulate_.bind();
     batch_.bind();
 }
@@ -138,6 +150,10 @@ void ProgressiveImage::runPass(std::size_t pass) {
     generate_.run(batch_);
     mark("march");
     march().run(batch_);
+    if (reflections_) {
+        mark("reflections");
+        reflections_->run(batch_, march(), shade_);
+    }
     mark("shade");
     shade_.run(batch_);
     mark("accumulate");
@@ -191,7 +207,8 @@ std::vector<std::pair<std::string, std::size_t>> ProgressiveImage::textures() co
 }
 
 std::size_t ProgressiveImage::bufferBytes() const {
-    return batch_.rays.bytes() + accumulate_.filmBytes() + toneMap_.displayBytes();
+    const std::size_t waiting = reflections_ ? reflections_->bytes() : 0;
+    return batch_.rays.bytes() + waiting + accumulate_.filmBytes() + toneMap_.displayBytes();
 }
 
 } // namespace eikonal

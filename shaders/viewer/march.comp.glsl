@@ -125,7 +125,7 @@ bool stepAlong(inout RayState ray, inout Step taken, inout uint left) {
         taken = innerStep(ray);
         eventful = isEventful(ray, taken);
         if (!eventful) {
-            followBoundary(ray, taken.nBefore, taken.inBand, taken.w, taken.optics);
+            followBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
             passStep(ray, taken);
             endRay(ray);
         }
@@ -135,7 +135,7 @@ bool stepAlong(inout RayState ray, inout Step taken, inout uint left) {
 }
 
 void finishStep(inout RayState ray, Step taken) {
-    endBoundary(ray, taken.nBefore, taken.inBand, taken.w, taken.optics);
+    endBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
     cutAtOpaque(ray, taken);
     passStep(ray, taken);
     endRay(ray);
@@ -183,6 +183,9 @@ void storeRay(uint index, RayState ray) {
     rays[index].crossingWTangential = ray.crossingWTangential;
     rays[index].crossingSide = ray.crossingSide;
 #endif
+#ifdef FOLLOW_REFLECTIONS
+    storeSteepest(index);
+#endif
 }
 
 void main() {
@@ -191,6 +194,9 @@ void main() {
         return;
     }
     RayState ray = rays[index];
+#ifdef FOLLOW_REFLECTIONS
+    loadSteepest(index);
+#endif
     stopInsideOpaque(ray);
     uint left = stepsPerSlice;
     while (left > 0u && ray.status == kMarching) {

@@ -102,6 +102,12 @@ Setting dispersing(Setting setting, int bands) {
     return setting;
 }
 
+/// The setting with reflections followed.
+Setting reflecting(Setting setting, int generations) {
+    setting.scene.accuracy.reflections = generations;
+    return setting;
+}
+
 /// The light with irradiance that differs from band to band.
 BakedLight byBand(BakedLight light, int bands) {
     for (const SpectralBand& band : spectralBands(bands)) {
@@ -166,7 +172,8 @@ std::vector<ImageRay> truth(const Setting& setting, double stepVoxels, int strid
         for (int x = 0; x < kSize; x += stride) {
             const glm::dvec2 screen = 2.0 * (glm::dvec2(x, y) + 0.5) / double(kSize) - 1.0;
             image.push_back(followed(setting, scene, setting.scene.camera.position + shift,
-                                     {screen.x * half, -screen.y * half, -1.0}, {.stepVoxels = stepVoxels}));
+                                     {screen.x * half, -screen.y * half, -1.0},
+                                     {.stepVoxels = stepVoxels, .reflections = setting.scene.accuracy.reflections}));
         }
     }
     return image;
@@ -243,6 +250,16 @@ TEST(ImageReference, AgreesOnLightOfSeveralLobes) {
     Setting setting = glassInSmoke();
     giveLobes(setting.light);
     expectAgreement(setting, kRounding);
+}
+
+TEST(ImageReference, AgreesOnReflectionsThatAreFollowed) {
+    expectAgreement(reflecting(glassInSmoke(), 1), kRounding);
+    expectAgreement(reflecting(glassInSmoke(), 3), kRounding);
+    expectAgreement(reflecting(dispersing(glassInSmoke(), 3), 2), kRounding);
+    Setting aboutABox = glassInSmoke();
+    aboutABox.fields.opaque = boxInSmoke().fields.opaque;
+    aboutABox.fields.albedo = boxInSmoke().fields.albedo;
+    expectAgreement(reflecting(aboutABox, 2), kRoundingAtSurfaces);
 }
 
 TEST(ImageReference, AgreesWithACameraInsideGlass) {

@@ -38,7 +38,7 @@ void note(const std::string& key, const Scene& after, Redo& redo) {
     } else if (key == "render.effects") {
         redo.image = redo.light = true;
     } else {
-        redo.image = redo.image || key == "accuracy.step";
+        redo.image = redo.image || key == "accuracy.step" || key == "accuracy.reflections";
         redo.light = true;
     }
 }
