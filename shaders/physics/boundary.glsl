@@ -59,8 +59,9 @@ Crossing crossingAfter(Crossing crossing, bool inBand, real3 w, real n, real3 gr
     if (inBand && magnitude > next.gradMax) {
         if (next.gradMax == 0.0) {
             next.nStart = next.nLast;
-            next.sideAtStart = dot(w, gradN) >= 0.0 ? 1.0 : -1.0;
         }
+        // By the index where it is steepest: where the band begins differences of n are rounding, and point anywhere.
+        next.sideAtStart = n >= next.nStart ? 1.0 : -1.0;
         next.normal = gradN / magnitude;
         next.gradMax = magnitude;
         real along = dot(w, next.normal);
@@ -110,8 +111,12 @@ BoundarySplit crossingSplit(Crossing crossing, real3 w, real n) {
     return split;
 }
 
-// The crossing of a ray that stands on the mirror in the middle of an interface and leaves with wave vector w: half done, by a
-// ray that came in the other way. It leaves on the side it came from, so no Fresnel term awaits it.
+// The crossing of a ray that stands on the mirror in the middle of an interface and leaves with wave vector w: half done, from the
+// side that it goes back to, so that no Fresnel term awaits it. Of the index there only the side matters.
 Crossing crossingFromMirror(real3 w, real n, real3 gradN) {
-    return crossingAfter(crossingNone(n), true, -w, n, gradN);
+    real nStart = 0.0;
+    if (dot(w, gradN) > 0.0) {
+        nStart = 1.0e30;
+    }
+    return crossingAfter(crossingNone(nStart), true, w, n, gradN);
 }

@@ -95,12 +95,21 @@ Fields plate(double n) {
     return glassFields(test::cube(48, 1.0), n, [](const glm::dvec3& x) { return std::abs(x.y) - 0.4; });
 }
 
+/// Bright above, dark below.
+Scene skyScene(int generations) {
+    Scene scene = reflectingScene(generations);
+    scene.environment.gradient = {glm::dvec3(0.0), glm::dvec3(1.0)};
+    return scene;
+}
+
+glm::vec3 seenFromAbove(const Scene& scene, const Fields& fields) {
+    return seen(scene, fields, {0.0, 0.8, 0.0}, {0.0, -1.0, 0.0}).radiance(0, 0);
+}
+
 TEST(FollowedReflections, BetweenTwoFacesAreAGeometricSeries) {
     const double r = 1.0 / 9.0, t = 1.0 - r;  // of a face at n = 2, head on
     const auto above = [](int generations) {
-        Scene scene = reflectingScene(generations);
-        scene.environment.gradient = {glm::dvec3(0.0), glm::dvec3(1.0)};  // bright above, dark below
-        return double(seen(scene, plate(2.0), {0.0, 0.8, 0.0}, {0.0, -1.0, 0.0}).radiance(0, 0).g);
+        return double(seenFromAbove(skyScene(generations), plate(2.0)).g);
     };
     // 0.3 % of the step is left on either side of a band: R is short by 2 % in all
     const double once = r + t * r * t;
@@ -127,12 +136,16 @@ TEST(FollowedReflections, ShowWhatIsBehindTheCamera) {
 TEST(FollowedReflections, FromTheOutsideOfAnAbsorberAreClear) {
     const double r = 1.0 / 9.0;
     Fields fields = plate(2.0);
-    fields.sigmaA = test::boxGrid(fields.lattice, {-1.0, -0.4, -1.0}, {1.0, 0.4, 1.0}, {5.0f, 20.0f, 60.0f});
-    const glm::vec3 radiance =
-        seen(reflectingScene(1), fields, {0.0, 0.8, 0.0}, {0.0, -1.0, 0.0}).radiance(0, 0);
-    // the mirror is known to half a step, of which half lies in the absorber: a sixth of a voxel, and back
-    EXPECT_NEAR(radiance.g, r, 0.12 * r);
-    EXPECT_NEAR(radiance.b, r, 0.35 * r);
+    const glm::vec3 sigma(5.0f, 20.0f, 60.0f);
+    fields.sigmaA = test::boxGrid(fields.lattice, {-1.0, -0.4, -1.0}, {1.0, 0.4, 1.0}, sigma);
+    const glm::vec3 radiance = seenFromAbove(skyScene(1), fields);
+    // the voxel that the face cuts absorbs on either side of it, and the mirror is known to half a step: a quarter of a voxel, and
+    // back. Half a boundary, four voxels, would leave a twenty-eighth of the green.
+    for (int band = 0; band < 3; ++band) {
+        const double dimmest = r * std::exp(-0.5 * sigma[band] * fields.lattice.voxel);
+        EXPECT_LE(radiance[band], r) << band;
+        EXPECT_GE(radiance[band], 0.97 * dimmest) << band;  // R is short by 2.4 %
+    }
 }
 
 TEST(FollowedReflections, KeepTheFurnaceWhite) {
@@ -141,7 +154,8 @@ TEST(FollowedReflections, KeepTheFurnaceWhite) {
     const RenderResult image =
         renderScene(test::sharedContext(), scene, fields, test::effectsOf(scene, fields), nullptr);
     for (int i = 0; i < 24 * 24; ++i) ASSERT_NEAR(image.radiance(i % 24, i / 24).g, 1.0, 1e-3) << i;
-    EXPECT_GT(image.statistics.reflectedRays, 24u * 24u);
+    // the sphere fills a sixth of the image; each ray is reflected at its first crossing, at its second, and the latter again
+    EXPECT_GT(image.statistics.reflectedRays, 24u * 24u / 6u * 2u);
 }
 
 TEST(FollowedReflections, AreTheSameBitsInAnySlicesAndTiles) {

@@ -147,15 +147,15 @@ double tracedBow(const WaterSphere& sphere) {
 }
 
 TEST(Rainbow, OfASmoothedSphereIsItsOwnAndExtrapolatesToWaters) {
-    const WaterSphere small(100.0), large(200.0);
+    const WaterSphere small(150.0), large(300.0);
     const double ofSmall = tracedBow(small), ofLarge = tracedBow(large);
     // rays are good to 3e-4 rad at a boundary (docs/performance.md) and pass three: 0.03 degrees
     EXPECT_NEAR(ofSmall, bowOf(small).angle, 0.1);
     EXPECT_NEAR(ofLarge, bowOf(large).angle, 0.1);
-    // linear in b/R; the next order leaves 0.04 degrees of these two radii by Bouguer's integral
+    // linear in b/R; the next order leaves 0.02 degrees of these two radii by Bouguer's integral
     EXPECT_NEAR(2.0 * ofLarge - ofSmall, 42.08, 0.1);
-    RecordProperty("bow of 100 voxels", std::to_string(ofSmall));
-    RecordProperty("bow of 200 voxels", std::to_string(ofLarge));
+    RecordProperty("bow of 150 voxels", std::to_string(ofSmall));
+    RecordProperty("bow of 300 voxels", std::to_string(ofLarge));
 }
 
 } // namespace
