@@ -111,12 +111,18 @@ BoundarySplit crossingSplit(Crossing crossing, real3 w, real n) {
     return split;
 }
 
+// More than any index.
+const real kBeyondIndices = 1.0e3;
+
 // The crossing of a ray that stands on the mirror in the middle of an interface and leaves with wave vector w: half done, from the
-// side that it goes back to, so that no Fresnel term awaits it. Of the index there only the side matters.
+// side that it goes back to. Of the index there only the side matters, and |w| along the interface is what no ray that crosses
+// has: no Fresnel term awaits it.
 Crossing crossingFromMirror(real3 w, real n, real3 gradN) {
     real nStart = 0.0;
     if (dot(w, gradN) > 0.0) {
-        nStart = 1.0e30;
+        nStart = kBeyondIndices;
     }
-    return crossingAfter(crossingNone(nStart), true, w, n, gradN);
+    Crossing crossing = crossingAfter(crossingNone(nStart), true, w, n, gradN);
+    crossing.wTangential = kBeyondIndices;
+    return crossing;
 }
