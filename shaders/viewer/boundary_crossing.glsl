@@ -3,11 +3,13 @@
 #include "physics/boundary.glsl"
 #include "viewer/background.glsl"
 
-#ifdef EFFECT_REFLECTION
-
-#ifdef FOLLOW_REFLECTIONS
+#if defined(EFFECT_REFLECTION) && defined(FOLLOW_REFLECTIONS)
 #include "viewer/reflection.glsl"
 #else
+void loadSteepest(uint index) {}
+void storeSteepest(uint index) {}
+void noteSteepest(vec3 x, vec3 w, RayState ray) {}
+
 BoundarySplit splitAt(Crossing crossing, vec3 w, float nEnd) {
     return crossingSplit(crossing, w, nEnd);
 }
@@ -20,6 +22,8 @@ bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised 
     return false;
 }
 #endif
+
+#ifdef EFFECT_REFLECTION
 
 Crossing crossingOf(RayState ray, float nBefore) {
     return Crossing(ray.crossingNormal, ray.crossingGradMax, ray.crossingStart, nBefore, ray.crossingWTangential,
@@ -62,11 +66,9 @@ void reflectAndTransmit(inout RayState ray, Crossing crossing, vec3 w, float nEn
 // After a sample at x with wave vector w that ends no crossing; nBefore: index of the sample before.
 void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {
     Crossing next = crossingAfter(crossingOf(ray, nBefore), inBand, w, optics.n, optics.gradN);
-#ifdef FOLLOW_REFLECTIONS
     if (next.gradMax != ray.crossingGradMax) {
-        steepest = Steepest(Ray(x, w), ray.transmittance);
+        noteSteepest(x, w, ray);
     }
-#endif
     ray.crossingNormal = next.normal;
     ray.crossingGradMax = next.gradMax;
     ray.crossingStart = next.nStart;

@@ -183,9 +183,7 @@ void storeRay(uint index, RayState ray) {
     rays[index].crossingWTangential = ray.crossingWTangential;
     rays[index].crossingSide = ray.crossingSide;
 #endif
-#ifdef FOLLOW_REFLECTIONS
     storeSteepest(index);
-#endif
 }
 
 void main() {
@@ -194,9 +192,7 @@ void main() {
         return;
     }
     RayState ray = rays[index];
-#ifdef FOLLOW_REFLECTIONS
     loadSteepest(index);
-#endif
     stopInsideOpaque(ray);
     uint left = stepsPerSlice;
     while (left > 0u && ray.status == kMarching) {

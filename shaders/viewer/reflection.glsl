@@ -18,6 +18,11 @@ void loadSteepest(uint index) {
     steepest.transmittance = reflections[index].steepestTransmittance;
 }
 
+// Of a sample at x with wave vector w.
+void noteSteepest(vec3 x, vec3 w, RayState ray) {
+    steepest = Steepest(Ray(x, w), ray.transmittance);
+}
+
 void storeSteepest(uint index) {
     reflections[index].steepestX = steepest.ray.x;
     reflections[index].steepestW = steepest.ray.w;

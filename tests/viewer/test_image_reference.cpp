@@ -319,8 +319,8 @@ std::vector<StepErrors> errorsByStep(const Setting& setting) {
     return rows;
 }
 
-/// Mean order of convergence over the halvings.
-double orderOf(double atFirst, double atLast) { return std::log2(atFirst / atLast) / 4.0; }
+/// Mean order of convergence over so many halvings.
+double orderOf(double atFirst, double atLast, int halvings = 4) { return std::log2(atFirst / atLast) / halvings; }
 
 TEST(ImageReference, ConvergesAsItsStepsDo) {
     // Rays that reach no farther out than three quarters of the radius: those at the rim graze the boundary at one step and
@@ -329,9 +329,10 @@ TEST(ImageReference, ConvergesAsItsStepsDo) {
     middle.scene.camera.fov = glm::degrees(2.0 * std::atan(0.32 / kDistance));
     const auto glass = errorsByStep(middle);
     // Leapfrog and the midpoint rule are of second order, but for the first halvings: trilinear fields have a kink at every
-    // voxel. A Fresnel term falls on a sample: first order.
+    // voxel. A Fresnel term falls on a sample: first order, from a quarter of a voxel on; at longer steps errors of either sign
+    // happen to cancel.
     EXPECT_GE(orderOf(glass.front().direction, glass.back().direction), 1.5);
-    EXPECT_GE(orderOf(glass.front().radiance, glass.back().radiance), 0.9);
+    EXPECT_GE(orderOf(glass[2].radiance, glass.back().radiance, 2), 0.9);
     const auto smoke = errorsByStep(only(glassInSmoke(), {Effect::kAbsorption, Effect::kScattering, Effect::kEmission}));
     EXPECT_GE(orderOf(smoke.front().radiance, smoke.back().radiance), 1.5);
 }
