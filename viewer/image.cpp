@@ -59,7 +59,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       reflections_(reflectionsFor(context, scene, effects, fields_, options)),
       batch_(context, options.tileRays),
       generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
-      stepVoxels_(stepVoxelsOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
+      stepVoxels_(stepVoxelsOf(scene.accuracy)), integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
@@ -84,7 +84,7 @@ std::vector<std::string> ProgressiveImage::allDefines() const {
 viewer::March& ProgressiveImage::march() {
     auto found = marches_.find(stepVoxels_);
     if (found == marches_.end()) {
-        const viewer::MarchSettings settings{stepVoxels_, options_.maxEvaluations, options_.stepsPerSlice};
+        const viewer::MarchSettings settings{stepVoxels_, integrator_, options_.maxEvaluations, options_.stepsPerSlice};
         found = marches_.emplace(stepVoxels_, viewer::March(context_, allDefines(), settings, lattice_)).first;
     }
     return found->second;

@@ -64,7 +64,8 @@ struct Tracer {
           defines(allDefines(rules.boundaries)), batch(context, std::min(rayCount, kRaysAtATime)),
           given(context, std::min(rayCount, kRaysAtATime) * sizeof(gpu::GivenRay), "given rays"),
           generate(context, fields.defines(), viewer::Generate::Source::kGiven),
-          march(context, defines, {.stepVoxels = stepVoxelsOf(accuracy), .stepsPerSlice = rules.stepsPerSlice},
+          march(context, defines,
+                {.stepVoxels = stepVoxelsOf(accuracy), .integrator = integratorOf(accuracy), .stepsPerSlice = rules.stepsPerSlice},
                 sceneFields.lattice) {
         march.configure(batch.view);
         batch.view.bandChannel = gpu::kAllChannels;
