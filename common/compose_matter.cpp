@@ -170,6 +170,25 @@ void composeIndex(const ObjectLayer& layer, Fields& fields) {
                });
 }
 
+void composeSurface(const ObjectLayer& layer, Fields& fields) {
+    if (!layer.changesIndex || layer.extent.boundary.empty())
+        return;
+    const Object& object = *layer.object;
+    const bool rough = object.surface == Surface::kRough;
+    if (object.reflectionTint != glm::dvec3(1.0))
+        ensure(fields.reflectionTint, fields.lattice, glm::vec3(1.0f));
+    if (rough)
+        ensure(fields.roughness, fields.lattice, 0.0f);
+    for (std::size_t voxel = 0; voxel < layer.extent.boundary.values.size(); ++voxel) {
+        if (layer.extent.boundary.values[voxel] == 0)
+            continue;
+        if (!fields.reflectionTint.empty())
+            fields.reflectionTint.values[voxel] = glm::vec3(object.reflectionTint);
+        if (!fields.roughness.empty())
+            fields.roughness.values[voxel] = rough ? float(object.roughness) : 0.0f;
+    }
+}
+
 void composeDispersion(const ObjectLayer& layer, Fields& fields) {
     const double cauchyB = layer.object->cauchyB;
     if (!layer.changesIndex || (fields.cauchyB.empty() && cauchyB == 0.0))
@@ -232,6 +251,11 @@ void finishFields(Fields& fields) {
         fields.sigmaS = {};
         fields.anisotropy = {};
     }
+    if (allZero(fields.roughness))
+        fields.roughness = {};
+    const auto& tints = fields.reflectionTint.values;
+    if (std::all_of(tints.begin(), tints.end(), [](const glm::vec3& tint) { return tint == glm::vec3(1.0f); }))
+        fields.reflectionTint = {};
     if (allZero(fields.opaque)) {
         fields.opaque = {};
         fields.albedo = {};

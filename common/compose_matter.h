@@ -9,6 +9,9 @@ namespace eikonal {
 /// n <- n + coverage (n_object - n); boundaries that this changes are marked, those that it buries are cleared.
 void composeIndex(const ObjectLayer& layer, Fields& fields);
 
+/// Tint and roughness of the object's boundary, in its band.
+void composeSurface(const ObjectLayer& layer, Fields& fields);
+
 /// Cauchy's B, composed like the index that it belongs to.
 void composeDispersion(const ObjectLayer& layer, Fields& fields);
 

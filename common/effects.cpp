@@ -8,8 +8,9 @@
 namespace eikonal {
 namespace {
 
-constexpr std::array<std::string_view, 8> kEffectNames{"refraction", "absorption", "scattering", "emission",
-                                                       "reflection", "dispersion", "opaque",     "environment"};
+constexpr std::array<std::string_view, 10> kEffectNames{"refraction", "absorption", "scattering", "emission",
+                                                        "reflection", "tint",       "roughness",  "dispersion",
+                                                        "opaque",     "environment"};
 
 EffectDecision decideRefraction(const Fields& fields) {
     if (fields.iorGradient.empty())
@@ -24,12 +25,14 @@ EffectDecision decideByGrid(Effect effect, bool present, const std::string& matt
     return {effect, true, "something " + matter, std::move(grids)};
 }
 
-EffectDecision decideReflection(const Fields& fields) {
+EffectDecision decideReflection(const Scene& scene, const Fields& fields) {
     const auto& mask = fields.interface.values;
     const auto band = std::count_if(mask.begin(), mask.end(), [](unsigned char value) { return value != 0; });
     if (band == 0)
         return {Effect::kReflection, false, "no boundary changes the index", {}};
-    return {Effect::kReflection, true, fmt::format("boundaries that change the index fill {} voxels", band),
+    const int generations = scene.accuracy.reflections;
+    const std::string followed = generations > 0 ? fmt::format("; followed for {} generations", generations) : "";
+    return {Effect::kReflection, true, fmt::format("boundaries that change the index fill {} voxels{}", band, followed),
             {"interface"}};
 }
 
@@ -46,13 +49,13 @@ EffectDecision decideEnvironment(const Scene& scene) {
     return {Effect::kEnvironment, true, "the background is " + what, {}};
 }
 
-/// Nothing disperses what is not refracted.
-void applyDependence(EffectSet& set) {
-    EffectDecision& dispersion = set.decisions[std::size_t(Effect::kDispersion)];
-    const EffectDecision& refraction = set.decisions[std::size_t(Effect::kRefraction)];
-    if (dispersion.on && !refraction.on) {
-        dispersion.on = false;
-        dispersion.why = "nothing is refracted: " + refraction.why;
+/// Switches an effect off that has nothing to act on without another.
+void applyDependence(EffectSet& set, Effect dependent, Effect on, const std::string& without) {
+    EffectDecision& decision = set.decisions[std::size_t(dependent)];
+    const EffectDecision& needed = set.decisions[std::size_t(on)];
+    if (decision.on && !needed.on) {
+        decision.on = false;
+        decision.why = without + ": " + needed.why;
     }
 }
 
@@ -80,13 +83,17 @@ EffectSet decideEffects(const Scene& scene, const Fields& fields) {
         decideByGrid(Effect::kAbsorption, !fields.sigmaA.empty(), "absorbs", {"absorption"}),
         decideByGrid(Effect::kScattering, !fields.sigmaS.empty(), "scatters", {"scattering", "anisotropy"}),
         decideByGrid(Effect::kEmission, !fields.emission.empty(), "emits", {"emission"}),
-        decideReflection(fields),
+        decideReflection(scene, fields),
+        decideByGrid(Effect::kTint, !fields.reflectionTint.empty(), "tints what it reflects", {"reflection_tint"}),
+        decideByGrid(Effect::kRoughness, !fields.roughness.empty(), "has a rough surface", {"roughness"}),
         decideDispersion(scene, fields),
         decideByGrid(Effect::kOpaque, !fields.opaque.empty(), "is opaque", {"opaque", "albedo"}),
         decideEnvironment(scene),
     };
     applyAllowed(scene, set);
-    applyDependence(set);
+    applyDependence(set, Effect::kDispersion, Effect::kRefraction, "nothing is refracted");
+    applyDependence(set, Effect::kTint, Effect::kReflection, "nothing is reflected");
+    applyDependence(set, Effect::kRoughness, Effect::kReflection, "nothing is reflected");
     return set;
 }
 

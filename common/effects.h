@@ -11,7 +11,18 @@
 
 namespace eikonal {
 
-enum class Effect { kRefraction, kAbsorption, kScattering, kEmission, kReflection, kDispersion, kOpaque, kEnvironment };
+enum class Effect {
+    kRefraction,
+    kAbsorption,
+    kScattering,
+    kEmission,
+    kReflection,
+    kTint,
+    kRoughness,
+    kDispersion,
+    kOpaque,
+    kEnvironment
+};
 
 /// One row of the table that `info` and the statistics show.
 struct EffectDecision {

@@ -31,6 +31,7 @@ Object backgroundOf(const Scene& scene) {
 void composeLayer(const ObjectLayer& layer, Fields& fields) {
     composeDispersion(layer, fields);
     composeIndex(layer, fields);
+    composeSurface(layer, fields);
     composeMedia(layer, fields);
     composeOpaque(layer, fields);
 }

@@ -21,6 +21,8 @@ struct Fields {
     DenseGrid<glm::vec3> emission;     ///< radiance per scene unit
     DenseGrid<float> opaque;           ///< area coverage by opaque matter, 0 to 1
     DenseGrid<glm::vec3> albedo;       ///< of opaque surfaces; present with opaque
+    DenseGrid<glm::vec3> reflectionTint;  ///< factor on what boundaries reflect, in their bands; empty: 1 everywhere
+    DenseGrid<float> roughness;        ///< of boundaries, in their bands, 0 smooth; empty: all are smooth
     float iorUniform = 1.0f;           ///< n where iorGradient is empty
 };
 

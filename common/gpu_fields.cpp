@@ -1,5 +1,8 @@
 #include "common/gpu_fields.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "common/device_frame.h"
@@ -30,6 +33,22 @@ void require(const DenseGrid<Value>& grid, std::string_view name) {
 gpu::Texture3D interfaceTexture(const gpu::Context& context, const DenseGrid<unsigned char>& band) {
     gpu::Texture3D texture(context, gpu::TexelFormat::kR8, band.size, "interface");
     texture.upload(band.values.data());
+    return texture;
+}
+
+unsigned char asByte(float share) { return static_cast<unsigned char>(std::lround(255.0f * share)); }
+
+gpu::Texture3D surfaceTexture(const gpu::Context& context, const Fields& fields) {
+    gpu::Texture3D texture(context, gpu::TexelFormat::kRgba8, fields.lattice.size, "surface");
+    std::vector<std::array<unsigned char, 4>> texels(fields.lattice.count(), {255, 255, 255, 0});
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        if (!fields.reflectionTint.empty()) {
+            const glm::vec3& tint = fields.reflectionTint.values[i];
+            std::transform(&tint.x, &tint.x + 3, texels[i].begin(), asByte);
+        }
+        if (!fields.roughness.empty()) texels[i][3] = asByte(fields.roughness.values[i]);
+    }
+    texture.upload(texels.data());
     return texture;
 }
 
@@ -87,6 +106,9 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
     if (effects.has(Effect::kReflection)) {
         require(fields.interface, "interface");
         textures_.push_back({gpu::kUnitInterface, interfaceTexture(context, fields.interface)});
+    }
+    if (effects.has(Effect::kTint) || effects.has(Effect::kRoughness)) {
+        textures_.push_back({gpu::kUnitSurface, surfaceTexture(context, fields)});
     }
     add(Effect::kAbsorption, gpu::kUnitSigmaA, "sigma_a", fields.sigmaA, {});
     add(Effect::kScattering, gpu::kUnitSigmaS, "sigma_s", fields.sigmaS, fields.anisotropy);

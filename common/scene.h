@@ -72,6 +72,9 @@ struct VolumeShape {
 using Shape = std::variant<SphereShape, BoxShape, RoundedBoxShape, CylinderShape, TorusShape, PrismShape, PlaneShape,
                            WineGlassShape, WineShape, FieldShape, MeshShape, VolumeShape>;
 
+/// What the boundary of an object looks like.
+enum class Surface { kSmooth, kRough };
+
 struct Object {
     std::string name;
     Shape shape;
@@ -80,6 +83,9 @@ struct Object {
     Quantity absorption, scattering, anisotropy, emission;  ///< ignored where opaque, as is `ior`
     bool opaque = false;
     glm::dvec3 albedo{0.8};
+    Surface surface = Surface::kSmooth;
+    double roughness = 0.3;          ///< of a rough surface, 0 to 1: GGX with alpha = roughness²
+    glm::dvec3 reflectionTint{1.0};  ///< factor on what the boundary reflects
     std::optional<double> smoothVoxels;  ///< boundary width; 0: by area; unset: the domain's (the grid's own for volumes)
     std::optional<int> resolution;
     glm::dvec3 translate{0.0}, rotate{0.0};

@@ -46,7 +46,8 @@ bool matters(const Scene& scene, const std::string& section, const std::string& 
         return scene.environment.bake;
     if (section == "accuracy")
         return key != "integrator";  // of viewing rays
-    return key != "name";
+    const bool onlyInImages = key == "surface" || key == "roughness" || key == "reflection_tint";
+    return key != "name" && !onlyInImages;
 }
 
 } // namespace

@@ -22,6 +22,8 @@ std::size_t bytesOf(Effect effect, const Fields& fields) {
     case Effect::kScattering: return bytesOf(fields.sigmaS) + bytesOf(fields.anisotropy);
     case Effect::kEmission: return bytesOf(fields.emission);
     case Effect::kReflection: return bytesOf(fields.interface);
+    case Effect::kTint: return bytesOf(fields.reflectionTint);
+    case Effect::kRoughness: return bytesOf(fields.roughness);
     case Effect::kOpaque: return bytesOf(fields.opaque) + bytesOf(fields.albedo);
     case Effect::kDispersion: return bytesOf(fields.cauchyB) + bytesOf(fields.cauchyGradient);
     case Effect::kEnvironment: return 0;

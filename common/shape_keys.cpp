@@ -90,6 +90,34 @@ Key<Object> smoothKey() {
             }};
 }
 
+constexpr std::pair<std::string_view, Surface> kSurfaces[] = {{"smooth", Surface::kSmooth}, {"rough", Surface::kRough}};
+
+/// Left unwritten while `isDefault` says so.
+template <class IsDefault>
+Key<Object> unlessDefault(Key<Object> key, IsDefault isDefault) {
+    key.write = [write = key.write, isDefault](const Object& object) {
+        return isDefault(object) ? std::nullopt : write(object);
+    };
+    return key;
+}
+
+Key<Object> surfaceKey() {
+    return unlessDefault(keys::choice<Object>("surface", &Object::surface, Choices<Surface>(kSurfaces)),
+                         [](const Object& object) { return object.surface == Surface::kSmooth; });
+}
+
+Key<Object> roughnessKey() {
+    return unlessDefault(
+        keys::number<Object>("roughness", &Object::roughness, {.low = 0.0, .high = 1.0, .lowOpen = true}),
+        [](const Object& object) { return object.surface == Surface::kSmooth; });
+}
+
+Key<Object> reflectionTintKey() {
+    return unlessDefault(
+        keys::vector3<Object>("reflection_tint", &Object::reflectionTint, {.low = 0.0, .high = 1.0}),
+        [](const Object& object) { return object.reflectionTint == Object{}.reflectionTint; });
+}
+
 Key<Object> resolutionKey() {
     return {"resolution",
             [](Object& object, const toml::node& node, const std::string& key) {
@@ -180,6 +208,9 @@ const Keys<Object>& objectKeys() {
         constant("emission", &Object::emission, kNotNegative, Bands::kThree),
         keys::flag<Object>("opaque", &Object::opaque),
         keys::vector3<Object>("albedo", &Object::albedo, {.low = 0.0, .high = 1.0}),
+        surfaceKey(),
+        roughnessKey(),
+        reflectionTintKey(),
         smoothKey(),
         resolutionKey(),
         keys::vector3<Object>("translate", &Object::translate, kAnyNumber),

@@ -105,6 +105,7 @@ nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& e
     return {
         {"seconds", seconds},
         {"rays", statistics.rays},
+        {"reflected_rays", statistics.reflectedRays},
         {"steps", statistics.steps},
         {"field_evaluations", statistics.fieldEvaluations},
         {"clearance_look_ups", statistics.clearanceLookUps},

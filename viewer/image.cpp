@@ -40,6 +40,14 @@ void placeLight(gpu::ViewBlock& view, const BakedLight& bake, const Lattice& dom
     view.lightMin = glm::vec3(deviceFromWorld(domain, bake.lattice.min));
 }
 
+std::optional<viewer::Reflections> reflectionsFor(const gpu::Context& context, const Scene& scene,
+                                                  const EffectSet& effects, const GpuFields& fields,
+                                                  const RenderOptions& options) {
+    if (!viewer::Reflections::areNeeded(effects, scene.accuracy.reflections)) return std::nullopt;
+    return viewer::Reflections(context, fields.defines(), {scene.accuracy.reflections, scene.accuracy.tolerance},
+                               options.tileRays);
+}
+
 bool hasGreyMatter(const Fields& fields) {
     return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
 }
@@ -53,6 +61,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       passes_(spectralBandsOf(scene.accuracy, effects), scene.render.samples), hasGreyMatter_(hasGreyMatter(fields)),
       light_(context, bake, passes_.bandCount()),
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
+      reflections_(reflectionsFor(context, scene, effects, fields_, options)),
       batch_(context, options.tileRays),
       generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
       steps_(stepVoxelsOf(scene.accuracy), 1.0), integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()),
@@ -65,6 +74,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
     configureLight();
     if (bake) placeLight(view, *bake, lattice_);
     if (clearance_) clearance_->configure(view);
+    if (reflections_) reflections_->configure(view);
     march().configure(view);
     setExposure(scene.render.exposureEv);
 }
@@ -74,6 +84,7 @@ std::vector<std::string> ProgressiveImage::allDefines() const {
     append(defines, environment_.defines());
     append(defines, light_.defines());
     if (clearance_) append(defines, clearance_->defines());
+    if (reflections_) append(defines, reflections_->defines());
     return defines;
 }
 
@@ -132,6 +143,7 @@ void ProgressiveImage::bind() {
     light_.bind();
     environment_.bind();
     if (clearance_) clearance_->bind();
+    if (reflections_) reflections_->bind();
     accumulate_.bind();
     batch_.bind();
 }
@@ -147,6 +159,10 @@ void ProgressiveImage::runPass(std::size_t pass) {
     generate_.run(batch_);
     mark("march");
     march().run(batch_);
+    if (reflections_) {
+        mark("reflections");
+        reflections_->run(batch_, march(), shade_);
+    }
     mark("shade");
     shade_.run(batch_);
     mark("accumulate");
@@ -206,7 +222,8 @@ std::vector<std::pair<std::string, std::size_t>> ProgressiveImage::textures() co
 }
 
 std::size_t ProgressiveImage::bufferBytes() const {
-    return batch_.rays.bytes() + accumulate_.filmBytes() + toneMap_.displayBytes();
+    const std::size_t waiting = reflections_ ? reflections_->bytes() : 0;
+    return batch_.rays.bytes() + waiting + accumulate_.filmBytes() + toneMap_.displayBytes();
 }
 
 } // namespace eikonal

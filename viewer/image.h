@@ -21,6 +21,7 @@
 #include "viewer/light.h"
 #include "viewer/march.h"
 #include "viewer/picture.h"
+#include "viewer/reflections.h"
 #include "viewer/render_options.h"
 #include "viewer/shade.h"
 #include "viewer/tone_map.h"
@@ -66,6 +67,8 @@ public:
     /// Marks the passes of what follows; nullptr: none.
     void setTimer(gpu::PassTimer* timer) { timer_ = timer; }
     viewer::RayCounts counts() const { return accumulate_.counts(); }
+    /// Reflections followed so far.
+    std::uint64_t reflectedRays() const { return reflections_ ? reflections_->count() : 0; }
     std::vector<std::pair<std::string, std::size_t>> textures() const;
     std::size_t bufferBytes() const;
 
@@ -88,6 +91,7 @@ private:
     bool hasGreyMatter_;
     viewer::Light light_;
     std::optional<viewer::Clearance> clearance_;
+    std::optional<viewer::Reflections> reflections_;
     viewer::RayBatch batch_;
     viewer::Generate generate_;
     using Steps = std::pair<double, double>;   ///< of rays, between samples of matter [voxels]

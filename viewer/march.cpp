@@ -13,6 +13,7 @@ namespace {
 // eight rays has one count, and in the worst case they take their turns one after the other.
 constexpr std::uint32_t kIterationsPerDispatch = 65535 / 8;
 constexpr std::uint32_t kIterationsPerFlight = 16;  // kSamplesPerFlight of shaders/viewer/flight.glsl
+constexpr std::uint32_t kMirrorCorrections = 2;     // of shaders/physics/mirror.glsl
 constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
@@ -51,14 +52,16 @@ std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& latt
     return std::max(kLeastEvaluations, std::uint32_t(std::min(evaluations, 1e9)));
 }
 
-/// Loop iterations of a step or flight: its own, and of each sample of matter one and those over the voxels about it.
+/// Loop iterations of a step or flight: its own, those to a mirror, and of each sample of matter one and those over the
+/// voxels about it.
 std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::uint32_t samplesPerHalf) {
     constexpr std::uint32_t kVoxelsAbout = 8;
     const auto has = [&](const char* define) {
         return std::find(defines.begin(), defines.end(), define) != defines.end();
     };
     const std::uint32_t samples = std::max(has("STRAIGHT_FLIGHTS") ? kIterationsPerFlight : 1u, 2 * samplesPerHalf);
-    return 1 + kFaceTrials + samples * (has("LIGHT_LOBES") ? 1 + kVoxelsAbout : 1);
+    const std::uint32_t toMirror = has("FOLLOW_REFLECTIONS") ? kMirrorCorrections : 0;
+    return 1 + kFaceTrials + toMirror + samples * (has("LIGHT_LOBES") ? 1 + kVoxelsAbout : 1);
 }
 
 std::vector<std::string> withSteps(std::vector<std::string> defines, const MarchSettings& settings) {

@@ -22,7 +22,8 @@ struct MarchSettings {
 
 class March {
 public:
-    /// `defines`: effects, BAKED_LIGHT, LIGHT_LOBES, ENVIRONMENT_IMAGE, STRAIGHT_FLIGHTS, MANUAL_FILTERING. Throws badInput
+    /// `defines`: effects, BAKED_LIGHT, LIGHT_LOBES, ENVIRONMENT_IMAGE, STRAIGHT_FLIGHTS, FOLLOW_REFLECTIONS,
+    /// MANUAL_FILTERING. Throws badInput
     /// for a step that is not positive.
     March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
           const Lattice& lattice);

@@ -51,6 +51,7 @@ RenderResult blankResult(const glm::ivec2& size) {
 
 void count(const ProgressiveImage& image, const gpu::Context& context, RenderStatistics& statistics) {
     const viewer::RayCounts counts = image.counts();
+    statistics.reflectedRays = image.reflectedRays();
     statistics.fieldEvaluations = counts.evaluations;
     statistics.clearanceLookUps = counts.lookUps;
     statistics.matterSamples = counts.matterSamples;

@@ -24,6 +24,7 @@ struct RenderChannel {
 struct RenderStatistics {
     std::vector<std::pair<std::string, double>> seconds;  ///< by stage, the last one "total"
     std::uint64_t rays = 0;
+    std::uint64_t reflectedRays = 0;                      ///< that were followed from the boundaries that reflected them
     std::uint64_t steps = 0;                              ///< evaluations after the first of each ray, and look-ups
     std::uint64_t fieldEvaluations = 0;                   ///< of the index field
     std::uint64_t clearanceLookUps = 0;                   ///< how far the next straight flight may go

@@ -12,6 +12,7 @@
 #include "viewer/clearance.h"
 #include "viewer/generate.h"
 #include "viewer/march.h"
+#include "viewer/reflections.h"
 
 namespace eikonal {
 
@@ -19,10 +20,13 @@ namespace {
 
 constexpr std::size_t kRaysAtATime = 1u << 16;
 
-EffectSet tracedEffects(EffectSet effects) {
+enum class Boundaries { kOnlyRefract, kReflect };
+
+EffectSet tracedEffects(EffectSet effects, Boundaries boundaries) {
     for (EffectDecision& decision : effects.decisions) {
         decision.on = decision.on && (decision.effect == Effect::kRefraction || decision.effect == Effect::kDispersion ||
-                                      decision.effect == Effect::kAbsorption || decision.effect == Effect::kOpaque);
+                                      decision.effect == Effect::kAbsorption || decision.effect == Effect::kOpaque ||
+                                      (decision.effect == Effect::kReflection && boundaries == Boundaries::kReflect));
     }
     return effects;
 }
@@ -33,12 +37,20 @@ std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const
                                               const EffectSet& effects, const Accuracy& accuracy,
                                               StraightFlights flights) {
     if (flights == StraightFlights::kNone) return std::nullopt;
-    return viewer::Clearance(context, fields, tracedEffects(effects), {.tolerance = accuracy.tolerance});
+    return viewer::Clearance(context, fields, effects, {.tolerance = accuracy.tolerance});
 }
+
+/// How rays are followed.
+struct TraceRules {
+    StraightFlights flights = StraightFlights::kTaken;
+    Boundaries boundaries = Boundaries::kOnlyRefract;
+    std::uint32_t stepsPerSlice = 0;  ///< 0: as many as every device finishes
+};
 
 /// The kernels and buffers that rays are followed with, batch after batch.
 struct Tracer {
     Lattice lattice;
+    EffectSet effects;
     GpuFields fields;
     std::optional<viewer::Clearance> clearance;
     std::vector<std::string> defines;
@@ -47,26 +59,27 @@ struct Tracer {
     viewer::Generate generate;
     viewer::March march;
 
-    Tracer(const gpu::Context& context, const Fields& sceneFields, const EffectSet& effects,
-           const Accuracy& accuracy, StraightFlights flights, std::uint32_t stepsPerSlice, std::size_t capacity)
-        : lattice(sceneFields.lattice), fields(context, sceneFields, tracedEffects(effects)),
-          clearance(clearanceFor(context, sceneFields, effects, accuracy, flights)),
-          defines(allDefines()), batch(context, capacity),
-          given(context, capacity * sizeof(gpu::GivenRay), "given rays"),
+    Tracer(const gpu::Context& context, const Fields& sceneFields, const EffectSet& sceneEffects,
+           const Accuracy& accuracy, const TraceRules& rules, std::size_t rayCount)
+        : lattice(sceneFields.lattice), effects(tracedEffects(sceneEffects, rules.boundaries)),
+          fields(context, sceneFields, effects),
+          clearance(clearanceFor(context, sceneFields, effects, accuracy, rules.flights)),
+          defines(allDefines(rules.boundaries)), batch(context, std::min(rayCount, kRaysAtATime)),
+          given(context, std::min(rayCount, kRaysAtATime) * sizeof(gpu::GivenRay), "given rays"),
           generate(context, fields.defines(), viewer::Generate::Source::kGiven),
           march(context, defines,
-                {.stepVoxels = stepVoxelsOf(accuracy), .integrator = integratorOf(accuracy), .stepsPerSlice = stepsPerSlice},
+                {.stepVoxels = stepVoxelsOf(accuracy), .integrator = integratorOf(accuracy), .stepsPerSlice = rules.stepsPerSlice},
                 sceneFields.lattice) {
         march.configure(batch.view);
         batch.view.bandChannel = gpu::kAllChannels;
         if (clearance) clearance->configure(batch.view);
     }
 
-    std::vector<std::string> allDefines() const {
+    std::vector<std::string> allDefines(Boundaries boundaries) const {
         auto all = fields.defines();
-        if (clearance) {
-            for (const std::string& define : clearance->defines()) all.push_back(define);
-        }
+        const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
+        if (clearance) add(clearance->defines());
+        if (boundaries == Boundaries::kReflect) add(viewer::Reflections::defines());
         return all;
     }
 
@@ -160,6 +173,16 @@ std::vector<std::vector<TraceResult>> batchPaths(Tracer& tracer, std::span<const
     return paths;
 }
 
+std::vector<TraceReflection> roundResults(const Batch& batch, const std::vector<gpu::RayState>& states) {
+    std::vector<TraceReflection> results;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (states[i].status == gpu::kNoRay) continue;
+        results.push_back({batch.rows[i], int(states[i].generation), 0.5 * (states[i].throughputS + states[i].throughputP),
+                           resultOf(states[i], batch.rays[i])});
+    }
+    return results;
+}
+
 } // namespace
 
 std::string_view traceStatusName(TraceStatus status) {
@@ -176,7 +199,7 @@ std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fi
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays,
                                    StraightFlights flights) {
     requireIndex(fields, effects, rays);
-    Tracer tracer(context, fields, effects, accuracy, flights, 0, std::min(rays.size(), kRaysAtATime));
+    Tracer tracer(context, fields, effects, accuracy, {.flights = flights}, rays.size());
     std::vector<TraceResult> results(rays.size());
     for (const Batch& batch : batchesOf(rays, effects.has(Effect::kDispersion))) {
         tracer.start(batch.rays);
@@ -191,7 +214,7 @@ std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fi
 std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
     requireIndex(fields, effects, rays);
-    Tracer tracer(context, fields, effects, accuracy, StraightFlights::kTaken, 1, std::min(rays.size(), kRaysAtATime));
+    Tracer tracer(context, fields, effects, accuracy, {.stepsPerSlice = 1}, rays.size());
     std::vector<std::vector<TraceResult>> paths(rays.size());
     for (const Batch& batch : batchesOf(rays, effects.has(Effect::kDispersion))) {
         auto some = batchPaths(tracer, batch.rays);
@@ -203,6 +226,29 @@ std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fi
     }
     context.throwIfError();
     return points;
+}
+
+std::vector<TraceReflection> traceReflections(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
+                                              const Accuracy& accuracy, const std::vector<TraceRay>& rays) {
+    requireIndex(fields, effects, rays);
+    if (rays.empty() || accuracy.reflections == 0 || !effects.has(Effect::kReflection)) return {};
+    Tracer tracer(context, fields, effects, accuracy, {.boundaries = Boundaries::kReflect}, rays.size());
+    viewer::Reflections reflections(context, tracer.fields.defines(), {accuracy.reflections, accuracy.tolerance},
+                                    std::min(rays.size(), kRaysAtATime));
+    reflections.configure(tracer.batch.view);
+    std::vector<TraceReflection> results;
+    for (const Batch& batch : batchesOf(rays, effects.has(Effect::kDispersion))) {
+        reflections.bind();
+        tracer.start(batch.rays);
+        tracer.march.run(tracer.batch);
+        while (reflections.marchRound(tracer.batch, tracer.march)) {
+            const auto round = roundResults(batch, reflections.states(tracer.batch));
+            results.insert(results.end(), round.begin(), round.end());
+        }
+    }
+    std::stable_sort(results.begin(), results.end(), [](const auto& a, const auto& b) { return a.ray < b.ray; });
+    context.throwIfError();
+    return results;
 }
 
 } // namespace eikonal

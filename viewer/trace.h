@@ -51,4 +51,18 @@ std::vector<TraceResult> traceRays(const gpu::Context& context, const Fields& fi
 std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
                                    const Accuracy& accuracy, const std::vector<TraceRay>& rays);
 
+/// What a boundary reflects of a ray, at its end; lengths, depth and evaluations count from the mirror on.
+struct TraceReflection {
+    std::size_t ray = 0;      ///< row of the input
+    int generation = 0;       ///< mirrors on its way from the ray's start
+    double throughput = 0.0;  ///< of what lies behind, polarisations averaged
+    TraceResult at;
+};
+
+/// Reflections of rays and of their reflections, `accuracy.reflections` mirrors far; ray after ray, of each the last first.
+/// What an image would leave to the environment because it is weak is missing. As traceRays otherwise; of `effects`,
+/// reflection counts too.
+std::vector<TraceReflection> traceReflections(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
+                                              const Accuracy& accuracy, const std::vector<TraceRay>& rays);
+
 } // namespace eikonal

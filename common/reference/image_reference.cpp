@@ -5,6 +5,29 @@
 
 #include "common/physics.h"
 
+namespace eikonal::f64 {
+
+namespace {
+
+/// shaders/physics/mirror.glsl over a field of the reference.
+class MirrorIn {
+public:
+    using Optics = reference::Optics;
+
+    explicit MirrorIn(const reference::GridField& field) : field_(field) {}
+
+    Optics sampleOptics(const real3& x) const { return field_.optics(x); }
+#include "shaders/physics/step_leapfrog.glsl"
+#include "shaders/physics/mirror.glsl"
+
+private:
+    const reference::GridField& field_;
+};
+
+} // namespace
+
+} // namespace eikonal::f64
+
 namespace eikonal::reference {
 
 namespace {
@@ -15,15 +38,20 @@ constexpr double kSolid = 0.5;  // coverage at which matter begins
 class Walk {
 public:
     Walk(const ImageScene& scene, const ImageOptions& options)
-        : scene_(scene), field_(scene.fields, f64::dispersionTerm(options.wavelengthMicrons)), step_(options.stepVoxels * field_.lattice().voxel),
+        : scene_(scene), options_(options), field_(scene.fields, f64::dispersionTerm(options.wavelengthMicrons)),
+          step_(options.stepVoxels * field_.lattice().voxel),
           maxLength_(options.maxPathVoxels * field_.lattice().voxel) {}
 
     ImageRay from(const glm::dvec3& origin, const glm::dvec3& direction);
 
 private:
     bool enter(const glm::dvec3& origin, const glm::dvec3& direction);
+    RayEnd toEnd();
     bool step();
-    void meetBoundary(const glm::dvec3& w, const Optics& optics, bool inBand);
+    glm::dvec3 basicRadiance(RayEnd end) const;
+    void meetBoundary(const glm::dvec3& x, const glm::dvec3& w, const Optics& optics, bool inBand);
+    bool isWorthFollowing(const f64::Polarised& reflected) const;
+    Walk reflection(const f64::Polarised& reflected, double nEnd) const;
     void meetMatter(const glm::dvec3& x, const glm::dvec3& direction, double ds);
     glm::dvec3 firstSolid(glm::dvec3 free, glm::dvec3 inside) const;
     glm::dvec3 scattered(const glm::dvec3& x, const glm::dvec3& direction) const;
@@ -38,10 +66,14 @@ private:
     glm::dvec3 left() const { return transmittance_ * (0.5 * (fresnel_.s + fresnel_.p)); }
 
     const ImageScene& scene_;
+    const ImageOptions& options_;
     GridField field_;
     double step_, maxLength_;
     f64::Ray ray_{};
     f64::Crossing crossing_{};
+    f64::Ray steepest_{};                      // of that crossing
+    glm::dvec3 transmittanceAtSteepest_{1.0};
+    int generation_ = 0;
     f64::Polarised fresnel_{1.0, 1.0};
     glm::dvec3 transmittance_{1.0}, basic_{0.0}, depth_{0.0};  // basic: radiance over n² so far
     double n_ = 1.0, nCamera_ = 1.0, length_ = 0.0, opticalLength_ = 0.0;
@@ -61,18 +93,48 @@ bool Walk::enter(const glm::dvec3& origin, const glm::dvec3& direction) {
     return true;
 }
 
-/// A Fresnel term where a boundary ends, and the background that it mirrors.
-void Walk::meetBoundary(const glm::dvec3& w, const Optics& optics, bool inBand) {
+/// A Fresnel term where a boundary ends, and what it mirrors.
+void Walk::meetBoundary(const glm::dvec3& x, const glm::dvec3& w, const Optics& optics, bool inBand) {
     if (f64::crossingEnds(crossing_, inBand, optics.gradN)) {
-        const f64::Polarised t =
-            f64::crossingTransmittance(crossing_, w, f64::crossingEndIndex(crossing_, inBand, optics.n));
-        const glm::dvec3 before = left();
+        const double nEnd = f64::crossingEndIndex(crossing_, inBand, optics.n);
+        const f64::Polarised t = f64::crossingTransmittance(crossing_, w, nEnd);
+        const f64::Polarised reflected{fresnel_.s * (1.0 - t.s), fresnel_.p * (1.0 - t.p)};
         fresnel_ = {fresnel_.s * t.s, fresnel_.p * t.p};
-        const glm::dvec3 mirrored = before - left();
-        if (mirrored != glm::dvec3(0.0))
-            basic_ += mirrored * scene_.background(glm::normalize(f64::crossingReflected(crossing_, w)));
+        const double mean = 0.5 * (reflected.s + reflected.p);
+        if (isWorthFollowing(reflected)) {
+            Walk away = reflection(reflected, nEnd);
+            basic_ += away.basicRadiance(away.toEnd());
+        } else if (mean > 0.0) {
+            basic_ +=
+                transmittance_ * mean * scene_.background(glm::normalize(f64::crossingReflected(crossing_, w)));
+        }
     }
-    crossing_ = f64::crossingAfter(crossing_, inBand, w, optics.n, optics.gradN);
+    const f64::Crossing next = f64::crossingAfter(crossing_, inBand, w, optics.n, optics.gradN);
+    if (next.gradMax != crossing_.gradMax) {
+        steepest_ = {x, w};
+        transmittanceAtSteepest_ = transmittance_;
+    }
+    crossing_ = next;
+}
+
+bool Walk::isWorthFollowing(const f64::Polarised& reflected) const {
+    const glm::dvec3 left = transmittanceAtSteepest_ * (0.5 * (reflected.s + reflected.p));
+    return generation_ < options_.reflections && std::max({left.x, left.y, left.z}) >= options_.leastReflected;
+}
+
+/// The ray that a boundary reflects which has ended at index nEnd, on its mirror.
+Walk Walk::reflection(const f64::Polarised& reflected, double nEnd) const {
+    f64::MirrorIn mirror(field_);
+    const f64::Ray met = mirror.rayAtIndex(steepest_, 0.5 * (crossing_.nStart + nEnd), step_);
+    const Optics there = field_.optics(met.x);
+    Walk away(scene_, options_);
+    away.ray_ = mirror.rayMirrored(met, there.gradN);
+    away.n_ = there.n;
+    away.crossing_ = f64::crossingFromMirror(away.ray_.w, there.n, there.gradN);
+    away.fresnel_ = reflected;
+    away.transmittance_ = transmittanceAtSteepest_;
+    away.generation_ = generation_ + 1;
+    return away;
 }
 
 /// Irradiance times phase function, summed over the lobes of a voxel.
@@ -142,7 +204,7 @@ bool Walk::step() {
     const Optics optics = field_.optics(middle);
     const glm::dvec3 w = f64::kickByLength(ray_, optics.gradN, 0.5 * ds).w;
     ray_ = f64::kickByLength(ray_, optics.gradN, ds);
-    meetBoundary(w, optics, field_.inBand(middle));
+    meetBoundary(middle, w, optics, field_.inBand(middle));
     n_ = optics.n;
     const double face = toFace();
     const bool leaves = face <= (ds < step_ ? ds : 0.5 * ds);
@@ -201,17 +263,26 @@ glm::dvec3 Walk::surfaceRadiance(const glm::dvec3& x, const glm::dvec3& directio
     return field_.albedo(x - 0.5 * normal * field_.lattice().voxel) * received;
 }
 
-ImageRay Walk::from(const glm::dvec3& origin, const glm::dvec3& towards) {
-    if (!enter(origin, towards))
-        return {.radiance = scene_.background(towards), .position = origin, .direction = towards};
+RayEnd Walk::toEnd() {
     bool goesOn = !solid(ray_.x);
     while (goesOn && length_ < maxLength_) {
         goesOn = step();
     }
-    const bool stopped = solid(ray_.x);
-    const glm::dvec3 behind = stopped ? surfaceRadiance(ray_.x, direction()) / (n_ * n_) : scene_.background(direction());
-    const RayEnd end = stopped ? RayEnd::kHitOpaque : goesOn ? RayEnd::kTooLong : RayEnd::kExited;
-    return {nCamera_ * nCamera_ * (basic_ + left() * behind), ray_.x, direction(), depth_, left(), opticalLength_, end};
+    return solid(ray_.x) ? RayEnd::kHitOpaque : goesOn ? RayEnd::kTooLong : RayEnd::kExited;
+}
+
+/// Radiance over n² of all that the ray has met, and of what it ends at.
+glm::dvec3 Walk::basicRadiance(RayEnd end) const {
+    const glm::dvec3 behind = end == RayEnd::kHitOpaque ? surfaceRadiance(ray_.x, direction()) / (n_ * n_)
+                                                        : scene_.background(direction());
+    return basic_ + left() * behind;
+}
+
+ImageRay Walk::from(const glm::dvec3& origin, const glm::dvec3& towards) {
+    if (!enter(origin, towards))
+        return {.radiance = scene_.background(towards), .position = origin, .direction = towards};
+    const RayEnd end = toEnd();
+    return {nCamera_ * nCamera_ * basicRadiance(end), ray_.x, direction(), depth_, left(), opticalLength_, end};
 }
 
 } // namespace

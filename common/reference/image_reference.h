@@ -24,6 +24,8 @@ struct ImageOptions {
     double stepVoxels = 0.1;      ///< at most 1, or the samples of matter are too few
     double maxPathVoxels = 4096;  ///< a ray that is longer shows the background where it points
     double wavelengthMicrons = 0.5876;  ///< where something disperses; the scene's index is that of the default
+    int reflections = 0;          ///< mirrors on a ray's way from the camera that are followed, at most
+    double leastReflected = 1e-3; ///< throughput below which a reflection is seen in the environment
 };
 
 enum class RayEnd { kMissed, kExited, kHitOpaque, kTooLong };

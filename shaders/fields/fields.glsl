@@ -82,6 +82,16 @@ bool inInterface(vec3 x) {
 }
 #endif
 
+#if defined(EFFECT_TINT) || defined(EFFECT_ROUGHNESS)
+layout(binding = kUnitSurface) uniform sampler3D surfaceGrid;
+
+// Of a boundary in the voxel that x lies in: factor on what it reflects in rgb, roughness in alpha.
+vec4 surfaceAt(vec3 x) {
+    ivec3 index = ivec3(floor((x - domainMin) / domainVoxel));
+    return texelFetch(surfaceGrid, clamp(index, ivec3(0), domainSize - 1), 0);
+}
+#endif
+
 #ifdef EFFECT_ABSORPTION
 layout(binding = kUnitSigmaA) uniform sampler3D sigmaAGrid;
 

@@ -59,8 +59,9 @@ Crossing crossingAfter(Crossing crossing, bool inBand, real3 w, real n, real3 gr
     if (inBand && magnitude > next.gradMax) {
         if (next.gradMax == 0.0) {
             next.nStart = next.nLast;
-            next.sideAtStart = dot(w, gradN) >= 0.0 ? 1.0 : -1.0;
         }
+        // By the index where it is steepest: where the band begins differences of n are rounding, and point anywhere.
+        next.sideAtStart = n >= next.nStart ? 1.0 : -1.0;
         next.normal = gradN / magnitude;
         next.gradMax = magnitude;
         real along = dot(w, next.normal);
@@ -75,11 +76,53 @@ real crossingEndIndex(Crossing crossing, bool inBand, real n) {
     return inBand ? crossing.nLast : n;
 }
 
-// Wave vector of the ray that the interface reflects, for a crossing that ends with wave vector w: the tangential part is
-// kept, the normal part is the incident one turned round.
-real3 crossingReflected(Crossing crossing, real3 w) {
+// What becomes of light at an interface: where it goes, as wave vectors, and the shares of its radiance.
+struct BoundarySplit {
+    real3 away;    // of the reflected ray
+    real3 onward;  // of the ray that goes on
+    Polarised reflected;
+    Polarised transmitted;
+};
+
+// Wave vector with which the ray of a crossing that ends with wave vector w met the interface: the tangential part is kept.
+real3 crossingIncident(Crossing crossing, real3 w) {
     real3 tangential = w - crossing.normal * dot(w, crossing.normal);
     real normalPart =
         sqrt(max(crossing.nStart * crossing.nStart - crossing.wTangential * crossing.wTangential, 0.0));
-    return tangential - crossing.normal * (crossing.sideAtStart * normalPart);
+    return tangential + crossing.normal * (crossing.sideAtStart * normalPart);
+}
+
+// Wave vector of the ray that the interface reflects, for a crossing that ends with wave vector w: the tangential part is
+// kept, the normal part is the incident one turned round.
+real3 crossingReflected(Crossing crossing, real3 w) {
+    real3 incident = crossingIncident(crossing, w);
+    real turned = 2.0 * dot(incident, crossing.normal);
+    return incident - crossing.normal * turned;
+}
+
+// The split of a crossing that ends with wave vector w at index n.
+BoundarySplit crossingSplit(Crossing crossing, real3 w, real n) {
+    BoundarySplit split;
+    split.away = crossingReflected(crossing, w);
+    split.onward = w;
+    split.transmitted = crossingTransmittance(crossing, w, n);
+    split.reflected.s = 1.0 - split.transmitted.s;
+    split.reflected.p = 1.0 - split.transmitted.p;
+    return split;
+}
+
+// More than any index.
+const real kBeyondIndices = 1.0e3;
+
+// The crossing of a ray that stands on the mirror in the middle of an interface and leaves with wave vector w: half done, from the
+// side that it goes back to. Of the index there only the side matters, and |w| along the interface is what no ray that crosses
+// has: no Fresnel term awaits it.
+Crossing crossingFromMirror(real3 w, real n, real3 gradN) {
+    real nStart = 0.0;
+    if (dot(w, gradN) > 0.0) {
+        nStart = kBeyondIndices;
+    }
+    Crossing crossing = crossingAfter(crossingNone(nStart), true, w, n, gradN);
+    crossing.wTangential = kBeyondIndices;
+    return crossing;
 }

@@ -36,6 +36,7 @@ const uint kHitOpaque = 2u;
 const uint kStepLimit = 3u;
 const uint kMissed = 4u;      // never entered the domain
 const uint kAttenuated = 5u;  // nothing behind it can be seen
+const uint kNoRay = 6u;       // a place for a reflection's ray that is free
 
 // In place of a band's channel: the pass at the reference wavelength.
 const uint kAllChannels = 3u;
@@ -65,7 +66,7 @@ struct RayState {
     float lookAgainAt;    // path length at which the next look-up may find something [scene units]
     uint matterSamples;   // of absorption, scattering and emission
     uint dispersed;       // 1: it has been where the index depends on the wavelength
-    float pad;
+    uint generation;      // mirrors on its way from the camera
 };
 
 struct GivenRay {
@@ -124,6 +125,9 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
     uint dispersedAtStart;    // RayState::dispersed of new rays
     vec3 bandToRgb;           // linear Rec.709 of a unit of radiance in the band
     uint bandChannel;         // of the ray's radiance: the one that the band is about, or kAllChannels
+    uint mostGenerations;     // of reflections that are followed
+    float leastReflected;     // throughput below which a reflection is seen in the environment
+    vec2 reflectionPad;
 };
 
 #ifdef __cplusplus
@@ -132,7 +136,7 @@ static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, depth) == 32 && 
 static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 80);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
-static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && sizeof(ViewBlock) == 320);
+static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && sizeof(ViewBlock) == 336);
 
 } // namespace eikonal::gpu
 #endif

@@ -3,6 +3,26 @@
 #include "physics/boundary.glsl"
 #include "viewer/background.glsl"
 
+#if defined(EFFECT_REFLECTION) && defined(FOLLOW_REFLECTIONS)
+#include "viewer/reflection.glsl"
+#else
+void loadSteepest(uint index) {}
+void storeSteepest(uint index) {}
+void noteSteepest(vec3 x, vec3 w, RayState ray) {}
+
+BoundarySplit splitAt(Crossing crossing, vec3 w, float nEnd) {
+    return crossingSplit(crossing, w, nEnd);
+}
+
+vec3 tintOfMirror() {
+    return vec3(1.0);
+}
+
+bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised throughput) {
+    return false;
+}
+#endif
+
 #ifdef EFFECT_REFLECTION
 
 Crossing crossingOf(RayState ray, float nBefore) {
@@ -19,22 +39,36 @@ bool boundaryEnds(RayState ray, bool inBand, Optics optics) {
     return crossingEnds(crossingOf(ray, ray.n), inBand, optics.gradN);
 }
 
-// The mirrored environment is looked up along the reflected ray's first direction: later bends of it are not followed.
-void reflectAndTransmit(inout RayState ray, Crossing crossing, vec3 w, float nEnd) {
-    Polarised transmittance = crossingTransmittance(crossing, w, nEnd);
-    float weight =
-        0.5 * (ray.throughputS * (1.0 - transmittance.s) + ray.throughputP * (1.0 - transmittance.p));
-    vec3 reflected = crossingReflected(crossing, w);
-    if (weight > 0.0 && dot(reflected, reflected) > 0.0) {
-        ray.radiance += ray.transmittance * weight * background(normalize(reflected));
+// The environment that a boundary mirrors, looked up along the reflected ray's first direction: later bends of it are not
+// followed.
+void mirrorEnvironment(inout RayState ray, vec3 away, Polarised throughput) {
+    if (dot(away, away) > 0.0) {
+        ray.radiance += ray.transmittance * tintOfMirror() * (0.5 * (throughput.s + throughput.p)) *
+                        background(normalize(away));
     }
-    ray.throughputS *= transmittance.s;
-    ray.throughputP *= transmittance.p;
 }
 
-// After a sample with wave vector w that ends no crossing; nBefore: index of the sample before.
-void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Optics optics) {
+void reflectAndTransmit(inout RayState ray, Crossing crossing, vec3 w, float nEnd) {
+    BoundarySplit split = splitAt(crossing, w, nEnd);
+    Polarised reflected = Polarised(ray.throughputS * split.reflected.s, ray.throughputP * split.reflected.p);
+    bool reflects = reflected.s + reflected.p > 0.0;
+    if (reflects && !letWait(ray, crossing.nStart, nEnd, split.away, reflected)) {
+        mirrorEnvironment(ray, split.away, reflected);
+    }
+    ray.throughputS *= split.transmitted.s;
+    ray.throughputP *= split.transmitted.p;
+#ifdef EFFECT_ROUGHNESS
+    // Facets turn the ray where the boundary ends; elsewhere the field has turned it by itself.
+    ray.w = split.onward == w ? ray.w : split.onward;
+#endif
+}
+
+// After a sample at x with wave vector w that ends no crossing; nBefore: index of the sample before.
+void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {
     Crossing next = crossingAfter(crossingOf(ray, nBefore), inBand, w, optics.n, optics.gradN);
+    if (next.gradMax != ray.crossingGradMax) {
+        noteSteepest(x, w, ray);
+    }
     ray.crossingNormal = next.normal;
     ray.crossingGradMax = next.gradMax;
     ray.crossingStart = next.nStart;
@@ -43,12 +77,12 @@ void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Opti
 }
 
 // The same after any sample: light is split where it ends a crossing.
-void endBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Optics optics) {
+void endBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {
     Crossing crossing = crossingOf(ray, nBefore);
     if (boundaryEnds(ray, inBand, optics)) {
         reflectAndTransmit(ray, crossing, w, crossingEndIndex(crossing, inBand, optics.n));
     }
-    followBoundary(ray, nBefore, inBand, w, optics);
+    followBoundary(ray, nBefore, inBand, x, w, optics);
 }
 
 #else
@@ -61,7 +95,7 @@ bool boundaryEnds(RayState ray, bool inBand, Optics optics) {
     return false;
 }
 
-void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Optics optics) {}
-void endBoundary(inout RayState ray, float nBefore, bool inBand, vec3 w, Optics optics) {}
+void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {}
+void endBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {}
 
 #endif

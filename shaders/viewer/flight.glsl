@@ -22,11 +22,13 @@ const float kBeyondBrick = 1e-3;    // voxels
 // Matter that varies is sampled every MATTER_VOXELS voxels, this often before the ray looks about again.
 const int kSamplesPerFlight = 16;
 
-// Clearances are Chebyshev distances in bricks: the box that reaches so many bricks less one beyond x's own is free.
+// Clearances are Chebyshev distances in bricks: the box that reaches so many bricks less one beyond x's own is free. It counts as
+// a little larger, so that a ray that runs along a face of it, to rounding, is not held up there.
 float distanceInClear(float bricks, vec3 brick, vec3 x, vec3 direction) {
     float edge = float(kBrickVoxels) * domainVoxel;
+    float beyond = kBeyondBrick * domainVoxel;
     vec3 low = domainMin + (brick - (bricks - 1.0)) * edge;
-    return distanceToExit(x, direction, low, low + (2.0 * bricks - 1.0) * edge);
+    return distanceToExit(x, direction, low - beyond, low + (2.0 * bricks - 1.0) * edge + beyond);
 }
 
 // Outside the box of all that is not vacuum a ray goes to it, or away for ever.

@@ -34,6 +34,7 @@ RayState rayAt(vec3 origin, vec3 direction) {
     ray.lookAgainAt = 0.0;
     ray.matterSamples = 0u;
     ray.dispersed = dispersedAtStart;
+    ray.generation = 0u;
     return ray;
 }
 

@@ -165,7 +165,7 @@ bool stepAlong(inout RayState ray, inout Step taken, inout uint left) {
         taken = innerStep(ray);
         eventful = isEventful(ray, taken);
         if (!eventful) {
-            followBoundary(ray, taken.nBefore, taken.inBand, taken.w, taken.optics);
+            followBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
             passStep(ray, taken);
             endRay(ray);
         }
@@ -175,7 +175,7 @@ bool stepAlong(inout RayState ray, inout Step taken, inout uint left) {
 }
 
 void finishStep(inout RayState ray, Step taken) {
-    endBoundary(ray, taken.nBefore, taken.inBand, taken.w, taken.optics);
+    endBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
     cutAtOpaque(ray, taken);
     passStep(ray, taken);
     endRay(ray);
@@ -223,6 +223,7 @@ void storeRay(uint index, RayState ray) {
     rays[index].crossingWTangential = ray.crossingWTangential;
     rays[index].crossingSide = ray.crossingSide;
 #endif
+    storeSteepest(index);
 }
 
 void main() {
@@ -231,6 +232,7 @@ void main() {
         return;
     }
     RayState ray = rays[index];
+    loadSteepest(index);
     stopInsideOpaque(ray);
     uint left = stepsPerSlice;
     while (left > 0u && ray.status == kMarching) {

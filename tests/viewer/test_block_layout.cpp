@@ -1,6 +1,7 @@
 // Both languages lay out the structs that the viewer's stages share alike.
 #include "shaders/shared/domain_block.h"
 #include "shaders/shared/look_block.h"
+#include "shaders/shared/reflection_blocks.h"
 #include "shaders/shared/view_blocks.h"
 #include "tests/support/block_layout.h"
 #include "tests/support/synthetic_fields.h"
@@ -20,7 +21,7 @@ test::Members rayStateMembers() {
         EIKONAL_MEMBER(gpu::RayState, crossingSide), EIKONAL_MEMBER(gpu::RayState, n),
         EIKONAL_MEMBER(gpu::RayState, nCamera), EIKONAL_MEMBER(gpu::RayState, entryDistance),
         EIKONAL_MEMBER(gpu::RayState, lookUps), EIKONAL_MEMBER(gpu::RayState, lookAgainAt),
-        EIKONAL_MEMBER(gpu::RayState, matterSamples), EIKONAL_MEMBER(gpu::RayState, dispersed), EIKONAL_MEMBER(gpu::RayState, pad)
+        EIKONAL_MEMBER(gpu::RayState, matterSamples), EIKONAL_MEMBER(gpu::RayState, dispersed), EIKONAL_MEMBER(gpu::RayState, generation)
     };
 }
 
@@ -42,6 +43,8 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, contentMin), EIKONAL_MEMBER(gpu::ViewBlock, negligibleGradient),
         EIKONAL_MEMBER(gpu::ViewBlock, contentMax), EIKONAL_MEMBER(gpu::ViewBlock, dispersedAtStart),
         EIKONAL_MEMBER(gpu::ViewBlock, bandToRgb), EIKONAL_MEMBER(gpu::ViewBlock, bandChannel),
+        EIKONAL_MEMBER(gpu::ViewBlock, mostGenerations), EIKONAL_MEMBER(gpu::ViewBlock, leastReflected),
+        EIKONAL_MEMBER(gpu::ViewBlock, reflectionPad),
     };
 }
 
@@ -64,6 +67,24 @@ test::Members filmPixelMembers() {
     };
 }
 
+test::Members pixelReflectionsMembers() {
+    test::Members members = {
+        EIKONAL_MEMBER(gpu::PixelReflections, steepestX), EIKONAL_MEMBER(gpu::PixelReflections, waiting),
+        EIKONAL_MEMBER(gpu::PixelReflections, steepestW), EIKONAL_MEMBER(gpu::PixelReflections, facets),
+        EIKONAL_MEMBER(gpu::PixelReflections, steepestTransmittance), EIKONAL_MEMBER(gpu::PixelReflections, pad),
+    };
+    const test::Members waiting = {
+        EIKONAL_MEMBER(gpu::Reflection, x), EIKONAL_MEMBER(gpu::Reflection, throughputS),
+        EIKONAL_MEMBER(gpu::Reflection, w), EIKONAL_MEMBER(gpu::Reflection, throughputP),
+        EIKONAL_MEMBER(gpu::Reflection, transmittance), EIKONAL_MEMBER(gpu::Reflection, generation),
+    };
+    for (int i = 0; i < gpu::kMostWaiting; ++i) {
+        const std::size_t offset = offsetof(gpu::PixelReflections, list) + std::size_t(i) * sizeof(gpu::Reflection);
+        members.merge(test::prefixed("list[" + std::to_string(i) + "].", waiting, offset));
+    }
+    return members;
+}
+
 TEST(BlockLayout, OfTheMarchIsTheCompilers) {
     const gpu::Kernel march(test::sharedContext(), "viewer/march.comp.glsl", {"EFFECT_ABSORPTION", "SAMPLES_PER_HALF 0"});
     const auto rays = test::storageBlockLayout(march, "Rays");
@@ -75,6 +96,13 @@ TEST(BlockLayout, OfTheMarchIsTheCompilers) {
     const auto domain = test::uniformBlockLayout(march, "DomainBlock");
     EXPECT_EQ(domain.members, domainBlockMembers());
     EXPECT_EQ(domain.bytes, sizeof(gpu::DomainBlock));
+}
+
+TEST(BlockLayout, OfReflectionsIsTheCompilers) {
+    const gpu::Kernel reflect(test::sharedContext(), "viewer/reflect.comp.glsl", {"EFFECT_REFRACTION"});
+    const auto layout = test::storageBlockLayout(reflect, "Reflections");
+    EXPECT_EQ(layout.members, test::prefixed("reflections[0].", pixelReflectionsMembers()));
+    EXPECT_EQ(layout.stride, sizeof(gpu::PixelReflections));
 }
 
 TEST(BlockLayout, OfALookIsTheCompilers) {

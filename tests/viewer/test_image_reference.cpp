@@ -103,6 +103,12 @@ Setting dispersing(Setting setting, int bands) {
     return setting;
 }
 
+/// The setting with reflections followed.
+Setting reflecting(Setting setting, int generations) {
+    setting.scene.accuracy.reflections = generations;
+    return setting;
+}
+
 /// The same with a B in no proportion to n - 1, which takes a texture of its own; three bands.
 Setting unevenlyDispersing(Setting setting) {
     Setting uneven = dispersing(std::move(setting), 3);
@@ -177,7 +183,8 @@ std::vector<ImageRay> truth(const Setting& setting, double stepVoxels, int strid
         for (int x = 0; x < kSize; x += stride) {
             const glm::dvec2 screen = 2.0 * (glm::dvec2(x, y) + 0.5) / double(kSize) - 1.0;
             image.push_back(followed(setting, scene, setting.scene.camera.position + shift,
-                                     {screen.x * half, -screen.y * half, -1.0}, {.stepVoxels = stepVoxels}));
+                                     {screen.x * half, -screen.y * half, -1.0},
+                                     {.stepVoxels = stepVoxels, .reflections = setting.scene.accuracy.reflections}));
         }
     }
     return image;
@@ -259,6 +266,16 @@ TEST(ImageReference, AgreesOnLightOfSeveralLobes) {
     expectAgreement(setting, kRounding);
 }
 
+TEST(ImageReference, AgreesOnReflectionsThatAreFollowed) {
+    expectAgreement(reflecting(glassInSmoke(), 1), kRounding);
+    expectAgreement(reflecting(glassInSmoke(), 3), kRounding);
+    expectAgreement(reflecting(dispersing(glassInSmoke(), 3), 2), kRounding);
+    Setting aboutABox = glassInSmoke();
+    aboutABox.fields.opaque = boxInSmoke().fields.opaque;
+    aboutABox.fields.albedo = boxInSmoke().fields.albedo;
+    expectAgreement(reflecting(aboutABox, 2), kRoundingAtSurfaces);
+}
+
 TEST(ImageReference, AgreesWithACameraInsideGlass) {
     Setting setting = glassInSmoke();
     setting.scene.camera.position = {0.1, 0.05, 0.3};
@@ -316,8 +333,8 @@ std::vector<StepErrors> errorsByStep(const Setting& setting) {
     return rows;
 }
 
-/// Mean order of convergence over the halvings.
-double orderOf(double atFirst, double atLast) { return std::log2(atFirst / atLast) / 4.0; }
+/// Mean order of convergence over so many halvings.
+double orderOf(double atFirst, double atLast, int halvings = 4) { return std::log2(atFirst / atLast) / halvings; }
 
 TEST(ImageReference, ConvergesAsItsStepsDo) {
     // Rays that reach no farther out than three quarters of the radius: those at the rim graze the boundary at one step and
@@ -326,9 +343,10 @@ TEST(ImageReference, ConvergesAsItsStepsDo) {
     middle.scene.camera.fov = glm::degrees(2.0 * std::atan(0.32 / kDistance));
     const auto glass = errorsByStep(middle);
     // Leapfrog and the midpoint rule are of second order, but for the first halvings: trilinear fields have a kink at every
-    // voxel. A Fresnel term falls on a sample: first order.
+    // voxel. A Fresnel term falls on a sample: first order, from a quarter of a voxel on; at longer steps errors of either sign
+    // happen to cancel.
     EXPECT_GE(orderOf(glass.front().direction, glass.back().direction), 1.5);
-    EXPECT_GE(orderOf(glass.front().radiance, glass.back().radiance), 0.9);
+    EXPECT_GE(orderOf(glass[2].radiance, glass.back().radiance, 2), 0.9);
     const auto smoke = errorsByStep(only(glassInSmoke(), {Effect::kAbsorption, Effect::kScattering, Effect::kEmission}));
     EXPECT_GE(orderOf(smoke.front().radiance, smoke.back().radiance), 1.5);
 }

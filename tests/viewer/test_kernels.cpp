@@ -15,7 +15,7 @@ std::vector<KernelVariant> variants() {
     const std::vector<std::string> switches = {
         "EFFECT_REFRACTION", "EFFECT_ABSORPTION",  "EFFECT_SCATTERING", "EFFECT_EMISSION", "EFFECT_REFLECTION",
         "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "STRAIGHT_FLIGHTS",
-        "LIGHT_LOBES",       "MANUAL_FILTERING"};
+        "LIGHT_LOBES",       "MANUAL_FILTERING",   "FOLLOW_REFLECTIONS", "EFFECT_TINT",       "EFFECT_ROUGHNESS"};
     std::vector<KernelVariant> rows = {{"viewer/accumulate.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},
@@ -27,6 +27,10 @@ std::vector<KernelVariant> variants() {
     auto all = switches;
     all.push_back("EFFECT_DISPERSION");
     subsets.push_back(all);
+    const std::vector<std::string> reflecting = {"EFFECT_REFRACTION", "EFFECT_REFLECTION", "FOLLOW_REFLECTIONS"};
+    for (const std::vector<std::string>& surface : {std::vector<std::string>{}, {"EFFECT_TINT"}, {"EFFECT_ROUGHNESS"}}) {
+        subsets.push_back(test::variant("", reflecting, surface).defines);
+    }
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION"});  // never without refraction
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "DISPERSION_BY_REFRACTIVITY"});
     subsets.push_back({"EFFECT_REFRACTION", "CUBIC_INTERPOLATION"});
@@ -37,6 +41,7 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 2"}));
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0", "MATTER_VOXELS 2.000000"}));
         rows.push_back(test::variant("viewer/shade.comp.glsl", subset));
+        rows.push_back(test::variant("viewer/reflect.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
     }

@@ -39,7 +39,7 @@ void note(const std::string& key, const Scene& after, Redo& redo) {
     } else if (key == "render.effects") {
         redo.image = redo.light = true;
     } else {
-        redo.image = redo.image || key == "accuracy.step" || key == "accuracy.integrator";
+        redo.image = redo.image || key == "accuracy.step" || key == "accuracy.integrator" || key == "accuracy.reflections";
         redo.light = redo.light || key != "accuracy.integrator";
     }
 }

@@ -1,0 +1,50 @@
+#pragma once
+// Reflections that wait to be followed by viewing rays.
+
+#include "shaders/shared/bindings.h"
+
+#ifdef __cplusplus
+#include <cstddef>
+
+#include <glm/glm.hpp>
+
+namespace eikonal::gpu {
+
+using glm::vec3;
+using uint = unsigned int;
+#endif
+
+const int kStorageReflections = 6;  // PixelReflections, one a ray from the camera
+const int kStorageDirectRays = 7;   // RayState of the rays from the camera, while those of reflections are kStorageRays
+const int kStorageStarted = 5;      // uint: reflections that a round takes up
+
+// One more than these is seen in the environment.
+const int kMostWaiting = 8;
+
+// A ray that leaves a mirror.
+struct Reflection {
+    vec3 x;              // on the mirror [scene units]
+    float throughputS;   // as RayState's, times the mirror's reflectances
+    vec3 w;              // wave vector away from it
+    float throughputP;
+    vec3 transmittance;  // as RayState's where it met the mirror
+    uint generation;     // RayState::generation
+};
+
+struct PixelReflections {
+    vec3 steepestX;   // of the boundary that the ray under way is crossing: where |grad n| was largest so far
+    uint waiting;     // of `list`, the first so many
+    vec3 steepestW;   // wave vector there
+    uint facets;      // of rough boundaries that the sample has met
+    vec3 steepestTransmittance;
+    float pad;
+    Reflection list[kMostWaiting];
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(Reflection) == 48 && offsetof(Reflection, w) == 16 && offsetof(Reflection, generation) == 44);
+static_assert(offsetof(PixelReflections, waiting) == 12 && offsetof(PixelReflections, list) == 48);
+static_assert(sizeof(PixelReflections) == 48 + 48 * kMostWaiting);
+
+} // namespace eikonal::gpu
+#endif

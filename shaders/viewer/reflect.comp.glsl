@@ -1,0 +1,86 @@
+// A round of reflections: what the ray of the last round saw goes to its pixel's ray, and the last of the reflections that wait
+// there becomes a ray. Marching and shading do the rest, as for rays from the camera.
+#include "viewer/ray_states.glsl"
+#include "fields/fields.glsl"
+#include "physics/fresnel.glsl"
+#include "physics/boundary.glsl"
+#include "shared/reflection_blocks.h"
+
+layout(local_size_x = kRaysPerGroup) in;
+
+layout(std430, binding = kStorageReflections) buffer Reflections { PixelReflections reflections[]; };
+layout(std430, binding = kStorageDirectRays) buffer DirectRays { RayState directRays[]; };
+layout(std430, binding = kStorageStarted) buffer Started { uint startedCount; };
+
+shared uint groupStarted;
+
+// Adds an ended reflection to the pixel's ray; both hold basic radiance.
+void gather(uint index, RayState ended) {
+    directRays[index].radiance += ended.radiance;
+    directRays[index].evaluations += ended.evaluations;
+    directRays[index].lookUps += ended.lookUps;
+    directRays[index].matterSamples += ended.matterSamples;
+    directRays[index].dispersed |= ended.dispersed;
+}
+
+// A ray that stands on its mirror.
+RayState rayFrom(Reflection from, uint dispersed) {
+    Optics optics = sampleOptics(from.x);
+    Crossing crossing = crossingFromMirror(from.w, optics.n, optics.gradN);
+    RayState ray;
+    ray.x = from.x;
+    ray.pathLength = 0.0;
+    ray.w = from.w;
+    ray.opticalLength = 0.0;
+    ray.depth = vec3(0.0);
+    ray.evaluations = 1u;
+    ray.transmittance = from.transmittance;
+    ray.status = kMarching;
+    ray.radiance = vec3(0.0);
+    ray.throughputS = from.throughputS;
+    ray.crossingNormal = crossing.normal;
+    ray.throughputP = from.throughputP;
+    ray.crossingGradMax = crossing.gradMax;
+    ray.crossingStart = crossing.nStart;
+    ray.crossingWTangential = crossing.wTangential;
+    ray.crossingSide = crossing.sideAtStart;
+    ray.n = optics.n;
+    ray.nCamera = 1.0;  // radiance stays basic until the pixel's ray is shaded
+    ray.entryDistance = 0.0;
+    ray.lookUps = 0u;
+    ray.lookAgainAt = 0.0;
+    ray.matterSamples = 0u;
+    ray.dispersed = dispersed;
+    ray.generation = from.generation;
+    return ray;
+}
+
+void nextRound(uint index) {
+    if (rays[index].status != kNoRay) {
+        gather(index, rays[index]);
+    }
+    uint waiting = reflections[index].waiting;
+    if (waiting == 0u) {
+        rays[index].status = kNoRay;
+        reflections[index].facets = 0u;
+        return;
+    }
+    rays[index] = rayFrom(reflections[index].list[waiting - 1u], directRays[index].dispersed);
+    reflections[index].waiting = waiting - 1u;
+    atomicAdd(groupStarted, 1u);
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    if (gl_LocalInvocationIndex == 0u) {
+        groupStarted = 0u;
+    }
+    barrier();
+    if (index < rayCount) {
+        nextRound(index);
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0u && groupStarted > 0u) {
+        atomicAdd(startedCount, groupStarted);
+    }
+}

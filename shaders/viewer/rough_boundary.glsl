@@ -1,0 +1,25 @@
+// Boundaries of facets (docs/physics.md, section 4): a sample of a pixel takes one of those that its ray sees.
+#include "physics/microfacet.glsl"
+
+// Bits mixed: M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
+uvec3 pcg3d(uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    v += v.yzx * v.zxy;
+    v ^= v >> 16u;
+    return v + v.yzx * v.zxy;
+}
+
+// For the pixel's next facet, by sample a sequence of low discrepancy (viewer/view.cpp) that starts anywhere.
+vec2 nextUniform(uint index) {
+    uint facet = reflections[index].facets;
+    reflections[index].facets = facet + 1u;
+    uvec2 start = pcg3d(uvec3(uvec2(tileOrigin + tilePixel(index)), facet)).xy >> 8u;
+    const vec2 kStep = vec2(0.7548776662466927, 0.5698402909980532);
+    return fract(vec2(start) / 16777216.0 + fract(float(sampleIndex) * kStep));
+}
+
+BoundarySplit roughSplit(Crossing crossing, vec3 w, float nEnd, float roughness) {
+    vec2 uniform01 = nextUniform(gl_GlobalInvocationID.x);
+    return splitAtFacet(crossingIncident(crossing, w), -crossing.sideAtStart * crossing.normal, crossing.nStart, nEnd,
+                        alphaOfRoughness(roughness), uniform01.x, uniform01.y);
+}

@@ -1,0 +1,61 @@
+#include "viewer/reflections.h"
+
+#include "shaders/shared/reflection_blocks.h"
+
+namespace eikonal::viewer {
+
+namespace {
+
+// What is too weak to follow is seen in the environment instead: that much of its difference from what is there.
+constexpr double kLeastOverTolerance = 0.05;
+
+} // namespace
+
+Reflections::Reflections(const gpu::Context& context, const std::vector<std::string>& defines,
+                         const ReflectionRules& rules, std::size_t capacity)
+    : rules_(rules), kernel_(context, "viewer/reflect.comp.glsl", defines),
+      rays_(context, capacity * sizeof(gpu::RayState), "rays of reflections"),
+      waiting_(context, capacity * sizeof(gpu::PixelReflections), "waiting reflections"),
+      started_(context, sizeof(std::uint32_t), "started reflections") {
+    waiting_.fill(0);
+    rays_.fill(gpu::kNoRay);
+}
+
+bool Reflections::areNeeded(const EffectSet& effects, int generations) {
+    const bool surfaces = effects.has(Effect::kTint) || effects.has(Effect::kRoughness);
+    return effects.has(Effect::kReflection) && (generations > 0 || surfaces);
+}
+
+void Reflections::configure(gpu::ViewBlock& view) const {
+    view.mostGenerations = gpu::uint(rules_.generations);
+    view.leastReflected = float(kLeastOverTolerance * rules_.tolerance);
+}
+
+void Reflections::bind() const { waiting_.bindStorage(gpu::kStorageReflections); }
+
+bool Reflections::marchRound(const RayBatch& batch, March& march) {
+    started_.fill(0);
+    batch.rays.bindStorage(gpu::kStorageDirectRays);
+    rays_.bindStorage(gpu::kStorageRays);
+    started_.bindStorage(gpu::kStorageStarted);
+    kernel_.dispatch(batch.groups());
+    const std::uint32_t started = started_.download<std::uint32_t>(1).front();
+    count_ += started;
+    if (started > 0) march.run(batch);
+    batch.rays.bindStorage(gpu::kStorageRays);
+    return started > 0;
+}
+
+void Reflections::run(const RayBatch& batch, March& march, const Shade& shade) {
+    while (marchRound(batch, march)) {
+        rays_.bindStorage(gpu::kStorageRays);
+        shade.run(batch);
+    }
+    batch.rays.bindStorage(gpu::kStorageRays);
+}
+
+std::vector<gpu::RayState> Reflections::states(const RayBatch& batch) const {
+    return rays_.download<gpu::RayState>(batch.view.rayCount);
+}
+
+} // namespace eikonal::viewer
