@@ -173,12 +173,13 @@ std::vector<std::vector<TraceResult>> batchPaths(Tracer& tracer, std::span<const
     return paths;
 }
 
-std::vector<TraceReflection> roundResults(const Batch& batch, const std::vector<gpu::RayState>& states) {
+std::vector<TraceReflection> roundResults(const Batch& batch, const std::vector<gpu::RayState>& states,
+                                          const Lattice& lattice) {
     std::vector<TraceReflection> results;
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (states[i].status == gpu::kNoRay) continue;
         results.push_back({batch.rows[i], int(states[i].generation), 0.5 * (states[i].throughputS + states[i].throughputP),
-                           resultOf(states[i], batch.rays[i])});
+                           resultOf(states[i], batch.rays[i], lattice)});
     }
     return results;
 }
@@ -242,7 +243,7 @@ std::vector<TraceReflection> traceReflections(const gpu::Context& context, const
         tracer.start(batch.rays);
         tracer.march.run(tracer.batch);
         while (reflections.marchRound(tracer.batch, tracer.march)) {
-            const auto round = roundResults(batch, reflections.states(tracer.batch));
+            const auto round = roundResults(batch, reflections.states(tracer.batch), tracer.lattice);
             results.insert(results.end(), round.begin(), round.end());
         }
     }
