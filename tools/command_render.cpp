@@ -34,6 +34,7 @@ struct RenderArguments {
     std::string bake;
     std::string statistics;
     bool force = false;
+    bool noEstimate = false;
 };
 
 constexpr std::array<std::string_view, 4> kExtensions{".exr", ".png", ".jpg", ".jpeg"};
@@ -79,8 +80,12 @@ Light lightOf(const RenderArguments& arguments, const gpu::Context& context, con
     return {std::move(result.light), std::move(result.statistics)};
 }
 
-void writeStatistics(const std::string& file, const RenderResult& image, const Light& light, const EffectSet& effects) {
+void writeStatistics(const std::string& file, const RenderResult& image, const std::optional<ErrorEstimate>& error,
+                     const Light& light, const EffectSet& effects) {
     nlohmann::json statistics = renderJson(image.statistics, effects);
+    if (error) {
+        statistics["error_estimate"] = errorJson(*error);
+    }
     if (light.statistics) {
         statistics["bake"] = bakeJson(*light.statistics, effects);
     }
@@ -101,14 +106,18 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
         throwIfInterrupted();
         progress.update("rendering", fraction);
     };
-    const RenderResult image =
-        renderScene(context, scene, fields, effects, light.baked ? &*light.baked : nullptr, renderOptions);
+    const BakedLight* baked = light.baked ? &*light.baked : nullptr;
+    const RenderResult image = renderScene(context, scene, fields, effects, baked, renderOptions);
+    std::optional<ErrorEstimate> error;
+    if (!arguments.statistics.empty() && !arguments.noEstimate) {
+        error = estimateError(context, scene, fields, effects, baked, renderOptions);
+    }
     progress.finish();
 
     writeRendered(arguments.output, image,
                   {{"software", fmt::format("{} {}", kCreator, kVersion)}, {"scene", resolvedToml(scene)}});
     if (!arguments.statistics.empty()) {
-        writeStatistics(arguments.statistics, image, light, effects);
+        writeStatistics(arguments.statistics, image, error, light, effects);
     }
     note(options, fmt::format("{}: {} x {} pixels, {} samples each, in {:.2f} s", arguments.output, image.size.x,
                               image.size.y, scene.render.samples, image.statistics.seconds.back().second));
@@ -132,7 +141,9 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addIntegerKey(command, arguments.scene,
                   {"--samples", "render.samples", "N",
                    fmt::format("samples per pixel [the scene's, else {}]", defaults.samples)});
-    command.add_option("--stats", arguments.statistics, "write seconds, rays and steps as JSON")->type_name("FILE.json");
+    command.add_option("--stats", arguments.statistics, "write seconds, rays, steps and an estimate of the error as JSON")
+        ->type_name("FILE.json");
+    command.add_flag("--no-estimate", arguments.noEstimate, "with --stats: spare the rays that the estimate takes");
 }
 
 } // namespace
