@@ -43,6 +43,17 @@ TEST(Effects, GlassRefractsAndReflectsGradientMediaOnlyRefract) {
     EXPECT_FALSE(lens.has(Effect::kReflection));
 }
 
+TEST(Effects, SurfacesAreTintedOrRoughWhereTheyReflect) {
+    const Decided plain = decide("[[object]]\nroughness = 0.5\n");
+    EXPECT_FALSE(plain.has(Effect::kTint));
+    EXPECT_FALSE(plain.has(Effect::kRoughness)) << "of a smooth surface";
+    EXPECT_TRUE(decide("[[object]]\nreflection_tint = [1, 0.8, 0.5]\n").has(Effect::kTint));
+    EXPECT_TRUE(decide("[[object]]\nsurface = \"rough\"\n").has(Effect::kRoughness));
+    EXPECT_FALSE(decide("[[object]]\nsurface = \"rough\"\nior = 1\n").has(Effect::kRoughness));
+    EXPECT_NE(decide("[[object]]\n[accuracy]\nreflections = 2\n").why(Effect::kReflection).find("2 generations"),
+              std::string::npos);
+}
+
 TEST(Effects, EachKindOfMatterCallsForItsOwn) {
     EXPECT_TRUE(decide("[[object]]\nabsorption = 1\n").has(Effect::kAbsorption));
     EXPECT_TRUE(decide("[medium]\nscattering = 1\n").has(Effect::kScattering));

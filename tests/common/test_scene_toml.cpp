@@ -142,7 +142,9 @@ TEST(SceneToml, WrongValuesSayWhereWhatWasExpectedAndFound) {
                             "[medium]\nabsorption = -0.1\n", "[[object]]\nscale = 0\n", "[[object]]\nopaque = 1\n",
                             "[[object]]\nsmooth = \"no\"\n", "[[object]]\nanisotropy = [0.1, 0.2, 0.3]\n",
                             "[[light]]\ndirection = [0, 0, 0]\n", "[accuracy]\nstep = 0\n", "[render]\nsize = [0, 1]\n",
-                            "[[object]]\nalbedo = [2, 0, 0]\n", "[accuracy]\nintegrator = \"fast\"\n"})
+                            "[[object]]\nalbedo = [2, 0, 0]\n", "[[object]]\nsurface = \"dull\"\n",
+                            "[[object]]\nroughness = 0\n", "[[object]]\nreflection_tint = [1, 1, 2]\n",
+                            "[accuracy]\nintegrator = \"fast\"\n"})
         EXPECT_TRUE(contains(errorOf(bad), "s.toml:2:")) << bad << " -> " << errorOf(bad);
 }
 

@@ -1,7 +1,6 @@
 // What boundaries let through and mirror, through the image: Fresnel's equations at a smoothed plane, series of reflections
 // between two faces, matter that is seen by reflection.
 #include <cmath>
-#include <numbers>
 
 #include "common/physics.h"
 #include "tests/support/synthetic_fields.h"
