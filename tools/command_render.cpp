@@ -15,7 +15,6 @@
 #include "common/gpu/context.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
-#include "common/scene_toml.h"
 #include "lightsim/bake.h"
 #include "tools/bake_file.h"
 #include "tools/scene_arguments.h"
@@ -106,12 +105,12 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     progress.finish();
 
     writeRendered(arguments.output, image,
-                  {{"software", fmt::format("{} {}", kCreator, kVersion)}, {"scene", resolvedToml(scene)}});
+                  attributesOf(image, scene, fmt::format("{} {}", kCreator, kVersion)));
     if (!arguments.statistics.empty()) {
         writeStatistics(arguments.statistics, image, light, effects);
     }
-    note(options, fmt::format("{}: {} x {} pixels, {} samples each, in {:.2f} s", arguments.output, image.size.x,
-                              image.size.y, scene.render.samples, image.statistics.seconds.back().second));
+    note(options, fmt::format("{}: {} x {} pixels, {:.0f} samples each, in {:.2f} s", arguments.output, image.size.x,
+                              image.size.y, image.statistics.samples, image.statistics.seconds.back().second));
 }
 
 void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
@@ -131,8 +130,12 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
                 fmt::format("pixels [the scene's, else {}x{}]", defaults.size.x, defaults.size.y)});
     addIntegerKey(command, arguments.scene,
                   {"--samples", "render.samples", "N",
-                   fmt::format("samples per pixel [the scene's, else {}]", defaults.samples)});
-    command.add_option("--stats", arguments.statistics, "write seconds, rays and steps as JSON")->type_name("FILE.json");
+                   fmt::format("samples per pixel, at most where the scene asks for a noise [the scene's, else {}]",
+                               defaults.samples)});
+    addNumberKey(command, arguments.scene,
+                 {"--noise", "render.noise", "SHARE",
+                  fmt::format("relative standard error at which sampling ends [the scene's, else {}: never]", defaults.noise)});
+    command.add_option("--stats", arguments.statistics, "write seconds, rays, steps and noise as JSON")->type_name("FILE.json");
 }
 
 } // namespace

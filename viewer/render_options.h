@@ -9,9 +9,8 @@
 
 namespace eikonal {
 
-/// Image size, samples, exposure, tone curve and step come from the scene.
+/// Image size, samples, filter, exposure, tone curve and step come from the scene.
 struct RenderOptions {
-    viewer::PixelFilter filter = viewer::PixelFilter::kBox;
     bool straightFlights = true;          ///< false: steps through everything, for comparison
     std::uint32_t maxEvaluations = 0;     ///< of the index field and look-ups by ray; 0: from the domain's size
     std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes

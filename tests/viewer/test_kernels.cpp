@@ -36,6 +36,7 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/shade.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
+        rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"LENS"}));
     }
     for (const std::vector<std::string>& look : std::vector<std::vector<std::string>>{
              {"TONE_AGX"}, {"TONE_REINHARD"}, {"LOOK_RADIANCE"}, {"LOOK_STEPS"}, {"LOOK_SLICE"},
