@@ -8,20 +8,27 @@ namespace eikonal {
 
 namespace {
 
+constexpr double kCubicBelow = 0.002;
+
 void require(const Scene& scene, bool available, const char* key, const char* expected) {
     if (!available) {
-        throw badInput(fmt::format("{}: {}: expected {}; this version has no other yet", scene.source, key, expected));
+        throw badInput(fmt::format("{}: {}: expected {}", scene.source, key, expected));
     }
 }
 
 } // namespace
 
+Interpolation interpolationOf(const Accuracy& accuracy) {
+    if (accuracy.interpolation != Interpolation::kAuto) return accuracy.interpolation;
+    return accuracy.tolerance < kCubicBelow ? Interpolation::kCubic : Interpolation::kLinear;
+}
+
+Integrator integratorOf(const Accuracy& accuracy) {
+    return accuracy.integrator == Integrator::kAuto ? Integrator::kLeapfrog : accuracy.integrator;
+}
+
 void requireAvailable(const Scene& scene) {
     const Accuracy& asked = scene.accuracy;
-    require(scene, asked.integrator == Integrator::kAuto || asked.integrator == Integrator::kLeapfrog,
-            "accuracy.integrator", "'auto' or 'leapfrog'");
-    require(scene, asked.interpolation == Interpolation::kAuto || asked.interpolation == Interpolation::kLinear,
-            "accuracy.interpolation", "'auto' or 'linear'");
     require(scene, asked.directional != Directional::kLobes || asked.deposit != Deposit::kPeak, "accuracy.directional",
             "'auto' or 'mean' with deposit 'peak', which keeps one direction");
     const bool usesPatches = asked.deposit == Deposit::kSplat || asked.deposit == Deposit::kPeak;
@@ -29,6 +36,11 @@ void requireAvailable(const Scene& scene) {
         throw badInput(fmt::format("{}: accuracy.reflections: expected 0 with the deposits 'splat' and 'peak', found {}; "
                                    "'auto' and 'cells' follow reflections", scene.source, asked.reflections));
     }
+}
+
+void requireIntegratorOfLight(const Scene& scene) {
+    require(scene, integratorOf(scene.accuracy) == Integrator::kLeapfrog, "accuracy.integrator",
+            "'auto' or 'leapfrog' where light is simulated; for viewing rays with another, give `render` a bake made without it");
 }
 
 } // namespace eikonal

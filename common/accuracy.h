@@ -12,8 +12,14 @@ constexpr double kAutoStepVoxels = 0.75;
 
 inline double stepVoxelsOf(const Accuracy& accuracy) { return accuracy.stepVoxels.value_or(kAutoStepVoxels); }
 
-/// Throws badInput for a method that scene files can name and this version does not have yet: a scene that asks for it must
-/// not get another one in silence.
+/// Linear, or cubic below a tolerance that linear interpolation on voxels does not reach (docs/accuracy.md).
+Interpolation interpolationOf(const Accuracy& accuracy);
+/// Of viewing rays: leapfrog unless another is asked for.
+Integrator integratorOf(const Accuracy& accuracy);
+
+/// Throws badInput for methods that exclude each other.
 void requireAvailable(const Scene& scene);
+/// Throws badInput for an integrator that light is not advanced by: a scene that asks for it must not get another in silence.
+void requireIntegratorOfLight(const Scene& scene);
 
 } // namespace eikonal

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "common/accuracy.h"
 #include "common/compose_layer.h"
 #include "common/compose_matter.h"
+#include "common/cubic_spline.h"
 #include "common/error.h"
 #include "common/spectral_fields.h"
 
@@ -59,6 +61,8 @@ Fields composeFields(const Scene& scene) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         composeLayer(layerOf(scene, scene.objects[i], i, fields.lattice), fields);
     finishFields(fields);
+    if (interpolationOf(scene.accuracy) == Interpolation::kCubic && !fields.ior.empty())
+        fields.iorSpline = splineCoefficients(fields.ior);
     requireIndexAt(fields, kLongestVisibleMicrons, scene.source);
     return fields;
 }

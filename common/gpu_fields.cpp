@@ -32,6 +32,22 @@ gpu::Texture3D interfaceTexture(const gpu::Context& context, const DenseGrid<uns
     return texture;
 }
 
+/// Each texel four coefficients of a row (shaders/fields/spline.glsl).
+gpu::Texture3D splineTexture(const gpu::Context& context, const DenseGrid<float>& coefficients) {
+    const glm::ivec3 size(coefficients.size.x - 3, coefficients.size.y, coefficients.size.z);
+    std::vector<glm::vec4> texels;
+    texels.reserve(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    for (int k = 0; k < size.z; ++k) {
+        for (int j = 0; j < size.y; ++j) {
+            const float* row = &coefficients.at(0, j, k);
+            for (int i = 0; i < size.x; ++i) texels.emplace_back(row[i], row[i + 1], row[i + 2], row[i + 3]);
+        }
+    }
+    gpu::Texture3D texture(context, gpu::TexelFormat::kRgba32f, size, "optics");
+    texture.upload(texels.data());
+    return texture;
+}
+
 } // namespace
 
 gpu::Texture3D colourTexture(const gpu::Context& context, const DenseGrid<glm::vec3>& grid,
@@ -56,7 +72,12 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
         require(grid, label);
         textures_.push_back({unit, colourTexture(context, grid, alpha, label)});
     };
-    add(Effect::kRefraction, gpu::kUnitOptics, "optics", fields.iorGradient, fields.ior);
+    if (effects.has(Effect::kRefraction) && !fields.iorSpline.empty()) {
+        textures_.push_back({gpu::kUnitOptics, splineTexture(context, fields.iorSpline)});
+        defines_.push_back("CUBIC_INTERPOLATION");
+    } else {
+        add(Effect::kRefraction, gpu::kUnitOptics, "optics", fields.iorGradient, fields.ior);
+    }
     if (!cauchyOverRefractivity_) {
         add(Effect::kDispersion, gpu::kUnitDispersion, "dispersion", fields.cauchyGradient, fields.cauchyB);
     } else if (effects.has(Effect::kDispersion)) {

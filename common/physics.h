@@ -16,6 +16,7 @@ namespace {
 using real = double;
 using real2 = glm::dvec2;
 using real3 = glm::dvec3;
+using real4 = glm::dvec4;
 #include "common/physics_list.inc"
 } // namespace
 } // namespace eikonal::f64
@@ -25,6 +26,7 @@ namespace {
 using real = float;
 using real2 = glm::vec2;
 using real3 = glm::vec3;
+using real4 = glm::vec4;
 #include "common/physics_list.inc"
 } // namespace
 } // namespace eikonal::f32

@@ -44,6 +44,8 @@ bool matters(const Scene& scene, const std::string& section, const std::string& 
         return key == "effects";
     if (section == "environment")
         return scene.environment.bake;
+    if (section == "accuracy")
+        return key != "integrator";  // of viewing rays
     return key != "name";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "common/accuracy.h"
 #include "common/gpu_fields.h"
 #include "common/spectral_fields.h"
 #include "lightsim/emit.h"
@@ -89,6 +90,7 @@ LightSimulator::LightSimulator(const gpu::Context& context, const Scene& scene, 
                                const EffectSet& effects, const BakeOptions& options)
     : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options),
       lobeCriterion_(std::make_unique<bake::LobeCriterion>(scene.accuracy, fields, effects)) {
+    requireIntegratorOfLight(scene);
     bake::requireKnownByBand(scene, effects, options);
 }
 

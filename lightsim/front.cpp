@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/accuracy.h"
 #include "common/gpu_fields.h"
 #include "common/interrupt.h"
 #include "common/physics.h"
@@ -118,6 +119,7 @@ std::vector<FrontPatch> frontAt(double opticalTime, bake::Wavefront& wavefront, 
 std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                  const EffectSet& effects, const std::vector<double>& opticalTimes,
                                  const BakeOptions& options) {
+    requireIntegratorOfLight(scene);
     Accuracy accuracy = scene.accuracy;
     if (!bake::usesPatches(accuracy)) {
         accuracy.deposit = Deposit::kSplat;

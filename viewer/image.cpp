@@ -58,8 +58,8 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       light_(context, bake, passes_.bandCount()),
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
       batch_(context, options.tileRays),
-      generate_(generateFor(context, fields_, sampling_)),
-      stepVoxels_(stepVoxelsOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
+      generate_(generateFor(context, fields_, sampling_)), stepVoxels_(stepVoxelsOf(scene.accuracy)),
+      integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
@@ -82,7 +82,7 @@ std::vector<std::string> ProgressiveImage::allDefines() const {
 viewer::March& ProgressiveImage::march() {
     auto found = marches_.find(stepVoxels_);
     if (found == marches_.end()) {
-        const viewer::MarchSettings settings{stepVoxels_, options_.maxEvaluations, options_.stepsPerSlice};
+        const viewer::MarchSettings settings{stepVoxels_, integrator_, options_.maxEvaluations, options_.stepsPerSlice};
         found = marches_.emplace(stepVoxels_, viewer::March(context_, allDefines(), settings, lattice_)).first;
     }
     return found->second;

@@ -103,6 +103,7 @@ private:
     viewer::Generate generate_;
     std::map<double, viewer::March> marches_;  ///< by step [voxels]
     double stepVoxels_;
+    Integrator integrator_;
     viewer::Shade shade_;
     viewer::Accumulate accumulate_;
     viewer::ToneMapper toneMap_;

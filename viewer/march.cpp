@@ -13,6 +13,7 @@ namespace {
 // eight rays has one count, and in the worst case they take their turns one after the other.
 constexpr std::uint32_t kIterationsPerDispatch = 65535 / 8;
 constexpr std::uint32_t kIterationsPerFlight = 16;  // kSamplesPerFlight of shaders/viewer/flight.glsl
+constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
 
@@ -27,10 +28,26 @@ std::uint32_t samplesPerHalfOf(double stepVoxels) {
     return stepVoxels <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * stepVoxels, 256.0)));
 }
 
+/// kEvaluationsPerStep of shaders/viewer/integrator.glsl.
+double evaluationsPerStep(Integrator integrator) {
+    return integrator == Integrator::kRk4 ? 4.0 : integrator == Integrator::kSharma ? 3.0 : 1.0;
+}
+
+/// What leapfrog needs no word for.
+const char* defineOf(Integrator integrator) {
+    switch (integrator) {
+        case Integrator::kEuler: return "INTEGRATOR_EULER";
+        case Integrator::kRk4: return "INTEGRATOR_RK4";
+        case Integrator::kSharma: return "INTEGRATOR_SHARMA";
+        default: return nullptr;
+    }
+}
+
 std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& lattice) {
     if (settings.maxEvaluations > 0) return settings.maxEvaluations;
     const double diagonalSteps = glm::length(glm::dvec3(lattice.size)) / settings.stepVoxels;
-    return std::max(kLeastEvaluations, std::uint32_t(std::min(kDiagonals * diagonalSteps, 1e9)));
+    const double evaluations = kDiagonals * diagonalSteps * evaluationsPerStep(settings.integrator);
+    return std::max(kLeastEvaluations, std::uint32_t(std::min(evaluations, 1e9)));
 }
 
 /// Loop iterations of a step or flight: its own, and of each sample of matter one and those over the voxels about it.
@@ -40,11 +57,12 @@ std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::ui
         return std::find(defines.begin(), defines.end(), define) != defines.end();
     };
     const std::uint32_t samples = std::max(has("STRAIGHT_FLIGHTS") ? kIterationsPerFlight : 1u, 2 * samplesPerHalf);
-    return 1 + samples * (has("LIGHT_LOBES") ? 1 + kVoxelsAbout : 1);
+    return 1 + kFaceTrials + samples * (has("LIGHT_LOBES") ? 1 + kVoxelsAbout : 1);
 }
 
-std::vector<std::string> withSamples(std::vector<std::string> defines, std::uint32_t samplesPerHalf) {
+std::vector<std::string> withSteps(std::vector<std::string> defines, std::uint32_t samplesPerHalf, Integrator integrator) {
     defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalf));
+    if (const char* define = defineOf(integrator)) defines.push_back(define);
     return defines;
 }
 
@@ -57,7 +75,7 @@ March::March(const gpu::Context& context, const std::vector<std::string>& define
       stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
                                                 : kIterationsPerDispatch / iterationsPerStep(defines, samplesPerHalf_)),
       stepLength_(settings.stepVoxels * lattice.voxel),
-      kernel_(context, "viewer/march.comp.glsl", withSamples(defines, samplesPerHalf_)),
+      kernel_(context, "viewer/march.comp.glsl", withSteps(defines, samplesPerHalf_, settings.integrator)),
       groups_{gpu::Buffer(context, sizeof(glm::uvec3), "march groups"),
               gpu::Buffer(context, sizeof(glm::uvec3), "march groups")} {}
 

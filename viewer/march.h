@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "common/lattice.h"
+#include "common/scene.h"
 #include "viewer/ray_batch.h"
 
 namespace eikonal::viewer {
 
 struct MarchSettings {
     double stepVoxels = 1.0;           ///< arc length of a step [voxels]
+    Integrator integrator = Integrator::kLeapfrog;
     std::uint32_t maxEvaluations = 0;  ///< and look-ups, by ray; 0: eight times the domain's diagonal, at least 4096
     std::uint32_t stepsPerSlice = 0;   ///< of one dispatch; 0: as many as every device finishes
 };

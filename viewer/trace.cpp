@@ -52,7 +52,8 @@ struct Tracer {
           defines(allDefines()), batch(context, capacity),
           given(context, capacity * sizeof(gpu::GivenRay), "given rays"),
           generate(context, fields.defines(), viewer::Generate::Source::kGiven),
-          march(context, defines, {.stepVoxels = stepVoxelsOf(accuracy), .stepsPerSlice = stepsPerSlice},
+          march(context, defines,
+                {.stepVoxels = stepVoxelsOf(accuracy), .integrator = integratorOf(accuracy), .stepsPerSlice = stepsPerSlice},
                 sceneFields.lattice) {
         march.configure(batch.view);
         batch.view.bandChannel = gpu::kAllChannels;

@@ -9,7 +9,8 @@ namespace eikonal::gpu {
 namespace {
 
 // The names that shaders/physics is written in; C++ defines them in common/physics.h.
-constexpr std::string_view kPreamble = "#define real float\n#define real2 vec2\n#define real3 vec3\n";
+constexpr std::string_view kPreamble =
+    "#define real float\n#define real2 vec2\n#define real3 vec3\n#define real4 vec4\n";
 constexpr std::string_view kRootFolder = "shaders/";
 
 std::string_view embeddedText(std::string_view name) {

@@ -63,6 +63,7 @@ public:
     const Lattice& lattice() const { return fields_.lattice; }
 
 private:
+    glm::dvec4 index(const glm::dvec3& x) const;  ///< grad n, n
     double share(const DenseGrid<float>& grid, const glm::dvec3& x) const {
         return grid.empty() ? 0.0 : trilinear(grid, fields_.lattice, x);
     }

@@ -15,6 +15,24 @@ struct Optics {
 
 #ifdef EFFECT_REFRACTION
 layout(binding = kUnitOptics) uniform sampler3D opticsGrid;
+
+// grad n in rgb [1 / scene unit], n in alpha.
+#ifdef CUBIC_INTERPOLATION
+#include "fields/spline.glsl"
+
+// Positions beyond the outermost voxels' centres count as on them, as with a clamped texture.
+vec4 fetchOptics(vec3 x) {
+    vec3 last = vec3(domainSize - 1);
+    vec3 place = clamp((x - domainMin) / domainVoxel - 0.5, vec3(0.0), last);
+    vec3 first = min(floor(place), max(last - 1.0, vec3(0.0)));
+    vec4 spline = sampleSpline(opticsGrid, ivec3(first), place - first);
+    return vec4(spline.rgb / domainVoxel, spline.a);
+}
+#else
+vec4 fetchOptics(vec3 x) {
+    return sampleGrid(opticsGrid, x);
+}
+#endif
 #endif
 
 #if defined(EFFECT_DISPERSION)
@@ -37,7 +55,7 @@ vec4 sampleCauchy(vec3 x, vec4 optics) {
 
 // At the wavelength of the dispatch.
 Optics sampleOptics(vec3 x) {
-    vec4 texel = sampleGrid(opticsGrid, x);
+    vec4 texel = fetchOptics(x);
     vec4 cauchy = sampleCauchy(x, texel);
     hasMetDispersion = hasMetDispersion || cauchy != vec4(0.0);
     return Optics(dispersedIndex(texel.a, cauchy.a, domainDispersion),
@@ -45,7 +63,7 @@ Optics sampleOptics(vec3 x) {
 }
 #elif defined(EFFECT_REFRACTION)
 Optics sampleOptics(vec3 x) {
-    vec4 texel = sampleGrid(opticsGrid, x);
+    vec4 texel = fetchOptics(x);
     return Optics(texel.a, texel.rgb);
 }
 #else

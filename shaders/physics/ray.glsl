@@ -38,4 +38,7 @@ Ray kickByOpticalPath(Ray ray, real n, real3 gradN, real dt) {
 struct RayStep {
     Ray ray;             // at its end
     real opticalLength;  // integral of n over it [scene units]
+    Ray looked;          // at the evaluation nearest to its middle
+    real n;              // found there
+    real3 gradN;         // [1 / scene unit]
 };

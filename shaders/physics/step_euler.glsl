@@ -6,5 +6,8 @@ RayStep stepEuler(Ray ray, real ds) {
     taken.ray.x = ray.x + ray.w * (ds / start.n);
     taken.ray.w = ray.w + start.gradN * ds;
     taken.opticalLength = start.n * ds;
+    taken.looked = ray;
+    taken.n = start.n;
+    taken.gradN = start.gradN;
     return taken;
 }

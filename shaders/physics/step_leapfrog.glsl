@@ -6,5 +6,8 @@ RayStep stepLeapfrog(Ray ray, real ds) {
     RayStep taken;
     taken.ray = driftByLength(kickByLength(middle, there.gradN, ds), 0.5 * ds);
     taken.opticalLength = there.n * ds;
+    taken.looked = kickByLength(middle, there.gradN, 0.5 * ds);
+    taken.n = there.n;
+    taken.gradN = there.gradN;
     return taken;
 }

@@ -5,7 +5,7 @@
 namespace eikonal::gpu {
 #endif
 
-const int kUnitOptics = 0;          // grad n in rgb [1 / scene unit], n in alpha
+const int kUnitOptics = 0;          // grad n in rgb [1 / scene unit], n in alpha; or rows of spline coefficients
 const int kUnitInterface = 1;       // 1 inside the band of a boundary that changes n
 const int kUnitSigmaA = 2;          // absorption in rgb [1 / scene unit]
 const int kUnitSigmaS = 3;          // scattering in rgb [1 / scene unit], Henyey-Greenstein g in alpha

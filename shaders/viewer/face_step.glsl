@@ -43,3 +43,11 @@ float lastDrift(inout RayState ray, float ds) {
     float toFace = distanceToFace(ray);
     return drift(ray, toFace < 2.0 * ds ? 1.001 * toFace + kShortestStep * stepLength : ds);
 }
+
+// Along a ray that is inside or has just left: below 0 beyond the face.
+float signedDistanceToFace(Ray ray) {
+    return boxSpan(ray.x, ray.w / length(ray.w), domainMin, domainMax).leave;
+}
+
+// Lengths tried of a step that must end at the face: each brings what is missing to its square.
+const int kFaceTrials = 3;

@@ -1,12 +1,12 @@
-// Viewing rays through the domain, a slice of their steps: straight flights where nothing bends them, else drift, kick,
-// drift by arc length (physics/ray.glsl). Rays that have ended return at once.
+// Viewing rays through the domain, a slice of their steps: straight flights where nothing bends them, else steps of arc
+// length by an integrator (viewer/integrator.glsl). Rays that have ended return at once.
 //
 // A vector of rays pays for every line between two turns of a loop, whether or not one of them takes that branch. So the
 // innermost loop holds what every step needs; whatever happens now and then ends it and is dealt with outside. And a loop runs
 // until all rays of the vector have left it: rays fly, come away from the faces, and step, each all together.
 #include "viewer/ray_states.glsl"
 #include "fields/fields.glsl"
-#include "physics/ray.glsl"
+#include "viewer/integrator.glsl"
 #include "physics/box.glsl"
 #include "viewer/boundary_crossing.glsl"
 #include "viewer/matter.glsl"
@@ -16,13 +16,14 @@ layout(local_size_x = kRaysPerGroup) in;
 // Groups of the next slice: up to the last one that holds a ray under way.
 layout(std430, binding = kStorageMarchGroups) buffer MarchGroups { uvec3 nextGroups; };
 
-// A step: two straight pieces that meet where the field is evaluated.
+// A step as two straight pieces, which meet near where the field is evaluated.
 struct Step {
     vec3 start, middle, end;
-    vec3 w;              // wave vector in the middle
+    vec3 w;              // wave vector at the evaluation
     float first, second; // lengths of the pieces [scene units]
     float nBefore;       // index at the evaluation before
-    Optics optics;       // in the middle
+    float nMean;         // index over the step
+    Optics optics;       // at the evaluation
     bool inBand;         // of a boundary
 };
 
@@ -42,15 +43,42 @@ void endRay(inout RayState ray) {
 #include "viewer/flight.glsl"
 #include "viewer/face_step.glsl"
 
-// Evaluates the field where the ray is and turns it.
-void kick(inout RayState ray, inout Step taken, float ds) {
-    taken.middle = ray.x;
+// Moves the ray by a step of length ds and notes what its evaluations have found.
+Step advance(inout RayState ray, RayStep next, float ds) {
+    Step taken;
+    taken.start = ray.x;
+    taken.middle = middleOf(Ray(ray.x, ray.w), next);
+    taken.end = next.ray.x;
+    taken.w = next.looked.w;
+    taken.first = 0.5 * ds;
+    taken.second = taken.first;
     taken.nBefore = ray.n;
+    taken.nMean = meanIndex(next, ds);
+    taken.optics = Optics(next.n, next.gradN);
+    taken.inBand = inBoundary(next.looked.x);
+    ray.x = next.ray.x;
+    ray.w = next.ray.w;
+    ray.n = next.n;
+    ray.evaluations += kEvaluationsPerStep;
+    noteBend(ray, next.gradN, ds);
+    return taken;
+}
+
+// A step that cannot reach a face.
+Step innerStep(inout RayState ray) {
+    return advance(ray, stepRay(Ray(ray.x, ray.w), stepLength), stepLength);
+}
+
+#ifdef INTEGRATOR_LEAPFROG
+
+// Evaluates the field where the ray is, in the middle of its step, and turns it.
+void kick(inout RayState ray, inout Step taken, float ds) {
     taken.optics = sampleOptics(ray.x);
     taken.inBand = inBoundary(ray.x);
     taken.w = ray.w;
     ray.evaluations += 1u;
     ray.n = taken.optics.n;
+    taken.nMean = ray.n;
 #ifdef EFFECT_REFRACTION
     taken.w = kickByLength(Ray(ray.x, ray.w), taken.optics.gradN, 0.5 * ds).w;
     ray.w = kickByLength(Ray(ray.x, ray.w), taken.optics.gradN, ds).w;
@@ -58,25 +86,13 @@ void kick(inout RayState ray, inout Step taken, float ds) {
     noteBend(ray, taken.optics.gradN, ds);
 }
 
-// A step that cannot reach a face.
-Step innerStep(inout RayState ray) {
-    Step taken;
-    taken.start = ray.x;
-    taken.first = 0.5 * stepLength;
-    taken.second = taken.first;
-    ray.x = driftByLength(Ray(ray.x, ray.w), taken.first).x;
-    kick(ray, taken, stepLength);
-    ray.x = driftByLength(Ray(ray.x, ray.w), taken.second).x;
-    taken.end = ray.x;
-    return taken;
-}
-
-// A step that may end at the face.
+// A step that may end at the face, which the first half of it may reach.
 Step outerStep(inout RayState ray) {
     Step taken;
     float ds = nextStepLength(ray);
     taken.start = ray.x;
     taken.nBefore = ray.n;
+    taken.nMean = ray.n;
     taken.w = ray.w;
     taken.optics = Optics(ray.n, vec3(0.0));
     taken.inBand = true;
@@ -91,11 +107,35 @@ Step outerStep(inout RayState ray) {
     return taken;
 }
 
+#else
+
+// A step that may end at the face: there it is taken again until it has the length that ends on it.
+Step outerStep(inout RayState ray) {
+    Ray start = Ray(ray.x, ray.w);
+    float ds = nextStepLength(ray);
+    bool last = ds < stepLength;
+    RayStep next = stepRay(start, ds);
+    for (int i = 0; i < kFaceTrials && (last || outside(next.ray.x)); ++i) {
+        last = true;
+        ds = clamp(ds + signedDistanceToFace(next.ray), kShortestStep * stepLength, stepLength);
+        next = stepRay(start, ds);
+    }
+    Step taken = advance(ray, next, ds);
+    if (signedDistanceToFace(next.ray) < kShortestStep * stepLength) {
+        ray.status = kExited;
+        ray.x = clamp(ray.x, domainMin, domainMax);
+        taken.end = ray.x;
+    }
+    return taken;
+}
+
+#endif
+
 // Matter is sampled at least once a voxel, whatever the step: once a step in its middle, or SAMPLES_PER_HALF times on each
 // of its two pieces.
 void passStep(inout RayState ray, Step taken) {
     ray.pathLength += taken.first + taken.second;
-    ray.opticalLength += ray.n * (taken.first + taken.second);
+    ray.opticalLength += taken.nMean * (taken.first + taken.second);
 #ifdef MATTER
     vec3 direction = taken.w / length(taken.w);
 #if SAMPLES_PER_HALF == 0

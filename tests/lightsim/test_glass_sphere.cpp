@@ -1,4 +1,5 @@
 // A parallel beam on a smoothed glass sphere against brute force in double precision on the closed form of its index.
+#include "common/cubic_spline.h"
 #include "common/reference/bake_reference.h"
 #include "tests/lightsim/bake_scenes.h"
 
@@ -46,6 +47,16 @@ TEST(GlassSphere, MatchesBruteForce) {
     const double paraxialFocus = 1.5 * 0.6 / (2.0 * 0.5);
     EXPECT_LT(lattice.worldFromIndex(indexOf(brightest(irradiance), lattice.size)).x, paraxialFocus);
     EXPECT_GT(result.statistics.patches.folds, 0u);  // patches behind the focus are turned inside out, and live
+}
+
+TEST(GlassSphere, MatchesBruteForceInterpolatedByCubicsToo) {
+    Fields fields = test::clearSphere(64);
+    fields.iorSpline = splineCoefficients(fields.ior);
+    const BakeResult result = test::bake(test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)}), fields);
+    const double width = 1.5 * fields.lattice.voxel;
+    const auto truth = reference::bakeSymmetricBeam(reference::SmoothedSphere(0.6, 1.5, width), fields.lattice, {});
+    EXPECT_LE(test::relativeL1(result.light.irradiance, truth), 0.04);  // the promises at default accuracy
+    EXPECT_NEAR(sumOf(inDouble(result.light.irradiance)) / sumOf(truth), 1.0, 0.005);
 }
 
 } // namespace

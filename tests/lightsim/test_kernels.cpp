@@ -51,6 +51,10 @@ std::vector<KernelVariant> variants() {
     for (const char* kernel : {"measure_edges", "measure_nodes", "conform", "sort_cells", "tally"}) {  // of no effect
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3"}});
     }
+    for (const char* kernel : {"emit", "propagate", "split", "deposit", "tubes/trace"}) {
+        rows.push_back({"lightsim/" + std::string(kernel) + ".comp.glsl",
+                        {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "CUBIC_INTERPOLATION"}});
+    }
     return rows;
 }
 

@@ -121,7 +121,7 @@ static const std::vector<BadCase> kVolumeCases{
 };
 
 static const std::vector<BadCase> kSceneCases{
-    {"MethodThatIsNotThereYet", 3, "accuracy.integrator",
+    {"IntegratorThatLightDoesNotHave", 3, "accuracy.integrator",
      [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\nintegrator = \"euler\"\n"); }},
     {"LobesOfADepositWithOneDirection", 3, "accuracy.directional",
      [](const TemporaryFolder& f) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/cubic_spline.h"
 #include "common/scene_toml.h"
 #include "tests/support/synthetic_fields.h"
 #include "viewer/render.h"
@@ -57,6 +58,14 @@ TEST(Flight, RefractionLooksTheSameWithAFractionOfTheSteps) {
     EXPECT_GE(image.stepsSaved(), 4.0);
     EXPECT_GT(image.flown.statistics.clearanceLookUps, 0u);
     EXPECT_EQ(image.stepped.statistics.clearanceLookUps, 0u);
+}
+
+TEST(Flight, CubicInterpolationLooksTheSameToo) {
+    Fields fields = ballFields(96);
+    fields.iorSpline = splineCoefficients(fields.ior);
+    const Comparison image = compared(ballScene(64), fields);
+    EXPECT_LE(image.rms(), 1e-3);  // as with linear interpolation: splines of an erfc ring by less than a flight may ignore
+    EXPECT_GE(image.stepsSaved(), 4.0);
 }
 
 TEST(Flight, MuseumTakesAQuarterOfTheSteps) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "common/cubic_spline.h"
 #include "common/physics.h"
 #include "common/reference/image_reference.h"
 #include "common/spectrum.h"
@@ -100,6 +101,16 @@ Setting dispersing(Setting setting, int bands) {
     setting.fields = test::dispersing(setting.fields, 0.04, 1.5);
     setting.scene.accuracy.bands = bands;
     return setting;
+}
+
+/// The same with a B in no proportion to n - 1, which takes a texture of its own; three bands.
+Setting unevenlyDispersing(Setting setting) {
+    Setting uneven = dispersing(std::move(setting), 3);
+    test::forEachVoxel(uneven.fields.lattice, [&](const glm::ivec3& v) {
+        uneven.fields.cauchyB.at(v) *= float(1.0 + 0.5 * uneven.fields.lattice.worldFromIndex(v).x);
+    });
+    uneven.fields.cauchyGradient = gradientOf(uneven.fields.cauchyB, uneven.fields.lattice.voxel);
+    return uneven;
 }
 
 /// The light with irradiance that differs from band to band.
@@ -210,15 +221,18 @@ TEST(ImageReference, AgreesOnEachEffectAlone) {
 
 TEST(ImageReference, AgreesOnDispersingGlassInSmoke) {
     expectAgreement(dispersing(glassInSmoke(), 3), kRounding);
-    Setting uneven = dispersing(glassInSmoke(), 3);  // B in no proportion to n - 1: from a texture of its own
-    test::forEachVoxel(uneven.fields.lattice, [&](const glm::ivec3& v) {
-        uneven.fields.cauchyB.at(v) *= float(1.0 + 0.5 * uneven.fields.lattice.worldFromIndex(v).x);
-    });
-    uneven.fields.cauchyGradient = gradientOf(uneven.fields.cauchyB, uneven.fields.lattice.voxel);
-    expectAgreement(uneven, kRounding);
+    expectAgreement(unevenlyDispersing(glassInSmoke()), kRounding);
     Setting byBands = dispersing(glassInSmoke(), 4);
     byBands.light = byBand(byBands.light, 4);
     expectAgreement(byBands, kRounding);
+}
+
+TEST(ImageReference, AgreesOnAnIndexInterpolatedByCubics) {
+    Setting setting = glassInSmoke();
+    setting.fields.iorSpline = splineCoefficients(setting.fields.ior);
+    expectAgreement(setting, kRounding);
+    setting = unevenlyDispersing(setting);
+    expectAgreement(setting, kRounding);
 }
 
 TEST(ImageReference, AgreesOnOpaqueMatterInSmokeAndAlone) {

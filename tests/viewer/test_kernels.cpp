@@ -29,6 +29,8 @@ std::vector<KernelVariant> variants() {
     subsets.push_back(all);
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION"});  // never without refraction
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "DISPERSION_BY_REFRACTIVITY"});
+    subsets.push_back({"EFFECT_REFRACTION", "CUBIC_INTERPOLATION"});
+    subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "CUBIC_INTERPOLATION"});
     rows.push_back({"viewer/accumulate.comp.glsl", {"EFFECT_REFRACTION", "EFFECT_DISPERSION"}});
     for (const auto& subset : subsets) {
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
@@ -37,6 +39,11 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"LENS"}));
+    }
+    for (const char* integrator : {"INTEGRATOR_EULER", "INTEGRATOR_RK4", "INTEGRATOR_SHARMA"}) {
+        rows.push_back(test::variant("viewer/march.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));
+        rows.push_back(test::variant("viewer/march.comp.glsl", {"EFFECT_REFRACTION", "CUBIC_INTERPOLATION"},
+                                     {integrator, "SAMPLES_PER_HALF 0"}));
     }
     for (const std::vector<std::string>& look : std::vector<std::vector<std::string>>{
              {"TONE_AGX"}, {"TONE_REINHARD"}, {"LOOK_RADIANCE"}, {"LOOK_STEPS"}, {"LOOK_SLICE"},

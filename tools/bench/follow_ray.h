@@ -1,14 +1,26 @@
 #pragma once
-// A ray through the box of the cases by one of the integrators, in double precision. For .cpp files only (stepper.h).
+// A ray through the box of the cases by one of the integrators, in double precision. For .cpp files only (common/reference/stepper.h).
 
 #include <algorithm>
 
 #include "tools/bench/ray_cases.h"
-#include "tools/bench/stepper.h"
+#include "common/reference/stepper.h"
 
 namespace eikonal::bench {
 
 enum class Method { kEuler, kLeapfrog, kRk4, kSharma };
+
+/// Arc length of steps [scene units]: that in which the index turns a ray by an angle, ε n/|∇n|, within bounds.
+struct StepRule {
+    double shortest, longest;
+    double angle = 0.0;  ///< ε [rad]; 0: all are of the longest length
+
+    bool adapts() const { return angle > 0.0; }
+    double lengthAt(double n, const glm::dvec3& gradN) const {
+        const double slope = glm::length(gradN);
+        return slope * longest > angle * n ? std::max(angle * n / slope, shortest) : longest;
+    }
+};
 
 struct FollowedRay {
     RayEnd end;
@@ -43,31 +55,65 @@ f64::RayStep lastStep(f64::Stepper<Field>& stepper, Method method, const f64::Ra
     return step;
 }
 
-/// Steps of `ds` [scene units of arc length] to where the ray leaves the box, or to where it has been caught for ten edges.
+/// A ray on its way.
 template <class Field>
-FollowedRay followRay(const Field& field, Method method, const RayStart& start, double ds) {
-    const int mostSteps = int(20.0 * kHalfBox / ds);
-    f64::Stepper<Field> stepper(field);
-    f64::Ray ray{start.x, start.direction * field.optics(start.x).n};
-    double opticalLength = 0.0;
-    std::uint64_t evaluations = 0;
-    for (int i = 0; i < mostSteps; ++i) {
-        f64::RayStep step = takeStep(stepper, method, ray, ds);
+class Walk {
+public:
+    Walk(const Field& field, Method method, const StepRule& rule, const RayStart& start)
+        : stepper_(field), method_(method), rule_(rule) {
+        const reference::Optics here = field.optics(start.x);
+        ray_ = {start.x, start.direction * here.n};
+        next_ = rule.adapts() ? rule.lengthAt(here.n, here.gradN) : rule.longest;
+    }
+
+    /// One step; whether it stays inside.
+    bool advance() {
+        const std::uint64_t before = stepper_.evaluations();
+        f64::RayStep step = fittingStep();
+        evaluations_ += stepper_.evaluations() - before;
         const glm::dvec3 reach = glm::abs(step.ray.x);
         const bool leaves = std::max({reach.x, reach.y, reach.z}) > kHalfBox;
-        if (i == 0) {
-            evaluations = stepper.evaluations();
-        }
-        if (leaves) {
-            step = lastStep(stepper, method, ray);
-        }
-        ray = step.ray;
-        opticalLength += step.opticalLength;
-        if (leaves) {
-            return {{ray.x, glm::normalize(ray.w), opticalLength}, evaluations * std::uint64_t(i + 1)};
-        }
+        if (leaves) step = lastStep(stepper_, method_, ray_);
+        ray_ = step.ray;
+        opticalLength_ += step.opticalLength;
+        length_ += taken_;
+        return !leaves;
     }
-    return {{ray.x, glm::normalize(ray.w), opticalLength}, stepper.evaluations()};
+
+    double length() const { return length_; }
+    FollowedRay end() const { return {{ray_.x, glm::normalize(ray_.w), opticalLength_}, evaluations_}; }
+
+private:
+    /// A step that finds itself more than twice too long is taken again, once; lengths grow at most twofold.
+    f64::RayStep fittingStep() {
+        taken_ = next_;
+        f64::RayStep step = takeStep(stepper_, method_, ray_, taken_);
+        if (!rule_.adapts()) return step;
+        double wanted = rule_.lengthAt(step.n, step.gradN);
+        if (taken_ > 2.0 * wanted) {
+            taken_ = wanted;
+            step = takeStep(stepper_, method_, ray_, taken_);
+            wanted = rule_.lengthAt(step.n, step.gradN);
+        }
+        next_ = std::min(wanted, 2.0 * taken_);
+        return step;
+    }
+
+    f64::Stepper<Field> stepper_;
+    Method method_;
+    StepRule rule_;
+    f64::Ray ray_{};
+    double next_ = 0.0, taken_ = 0.0, length_ = 0.0, opticalLength_ = 0.0;
+    std::uint64_t evaluations_ = 0;
+};
+
+/// To where the ray leaves the box, or to where it has been caught for ten edges.
+template <class Field>
+FollowedRay followRay(const Field& field, Method method, const RayStart& start, const StepRule& rule) {
+    Walk<Field> walk(field, method, rule, start);
+    while (walk.advance() && walk.length() < 20.0 * kHalfBox) {
+    }
+    return walk.end();
 }
 
 } // namespace eikonal::bench

@@ -1,11 +1,14 @@
 #include "tools/bench/image_bench.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
+#include "common/physics.h"
 #include "lightsim/bake.h"
 #include "tools/bench/image_case.h"
+#include "tools/bench/ssim.h"
 #include "viewer/render.h"
 
 namespace eikonal::bench {
@@ -15,18 +18,31 @@ namespace {
 constexpr double kFineStepVoxels = 0.125;  // where the step is not what is looked at
 constexpr int kSamplesPerEdge = 6;
 
-/// RMS over pixels and bands, and the largest difference, relative to the mean of the truth.
+/// Luminances as a display shows them, of a picture as wide as high.
+GreyImage greyOf(const Radiances& radiances) {
+    const int edge = int(std::lround(std::sqrt(double(radiances.size()))));
+    GreyImage grey{edge, edge, {}};
+    for (const glm::dvec3& radiance : radiances) {
+        const double luminance = glm::dot(radiance, glm::dvec3(0.2126, 0.7152, 0.0722));
+        grey.values.push_back(f64::srgbEncoded(luminance));
+    }
+    return grey;
+}
+
+/// RMS over pixels and bands and the largest difference, relative to the mean of the truth; and how different they look.
 std::vector<double> errorsOf(const RenderResult& image, const Radiances& truth) {
+    Radiances found;
     double squares = 0.0, sum = 0.0, largest = 0.0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
         const int x = int(i) % image.size.x, y = int(i) / image.size.x;
-        const glm::dvec3 difference = glm::abs(glm::dvec3(image.radiance(x, y)) - truth[i]);
+        found.emplace_back(image.radiance(x, y));
+        const glm::dvec3 difference = glm::abs(found.back() - truth[i]);
         squares += glm::dot(difference, difference);
         sum += truth[i].x + truth[i].y + truth[i].z;
         largest = std::max({largest, difference.x, difference.y, difference.z});
     }
     const double values = 3.0 * double(truth.size()), mean = sum / values;
-    return {std::sqrt(squares / values) / mean, largest / mean};
+    return {std::sqrt(squares / values) / mean, largest / mean, structuralDissimilarity(greyOf(found), greyOf(truth))};
 }
 
 RenderResult rendered(const gpu::Context& context, const ImageCase& seen, const BakedLight& light, double stepVoxels,
@@ -83,7 +99,9 @@ Family benchImage(const gpu::Context& context, const ImageBenchOptions& options)
     Family family{"image",
                   "Image: a glass sphere in smoke against a reference in double precision",
                   "field evaluations",
-                  {{"rms", "RMS error, relative to the mean"}, {"largest", "largest error, relative to the mean"}},
+                  {{"rms", "RMS error, relative to the mean"},
+                   {"largest", "largest error, relative to the mean"},
+                   {"dissimilarity", "1 − SSIM"}},
                   1e-6,
                   {}};
     const ImageCase seen = imageCase(options.pixels, options.resolution);

@@ -16,7 +16,7 @@ struct NamedDeposit {
     Deposit deposit;
 };
 constexpr std::array kDeposits = {NamedDeposit{"peak (2007)", Deposit::kPeak}, NamedDeposit{"splat", Deposit::kSplat},
-                                  NamedDeposit{"tubes (auto)", Deposit::kAuto}};
+                                  NamedDeposit{"cells", Deposit::kCells}, NamedDeposit{"auto", Deposit::kAuto}};
 
 /// Σ|E - E*|/ΣE* and |ΣE/ΣE* - 1| over the voxels that have a truth.
 std::vector<double> errorsOf(const DenseGrid<glm::vec3>& irradiance, const DenseGrid<double>& truth) {

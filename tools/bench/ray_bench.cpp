@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "tools/bench/cubic_field.h"
+#include "common/cubic_spline.h"
 #include "tools/bench/follow_ray.h"
 #include "tools/bench/sampled_field.h"
 
@@ -15,12 +15,24 @@ namespace {
 struct NamedMethod {
     const char* name;
     Method method;
+    bool adapts;
 };
-constexpr std::array kMethods = {NamedMethod{"euler", Method::kEuler}, NamedMethod{"leapfrog", Method::kLeapfrog},
-                                 NamedMethod{"rk4", Method::kRk4}, NamedMethod{"sharma", Method::kSharma}};
+constexpr std::array kMethods = {NamedMethod{"euler", Method::kEuler, false}, NamedMethod{"leapfrog", Method::kLeapfrog, false},
+                                 NamedMethod{"rk4", Method::kRk4, false}, NamedMethod{"sharma", Method::kSharma, false},
+                                 NamedMethod{"adaptive leapfrog", Method::kLeapfrog, true},
+                                 NamedMethod{"adaptive rk4", Method::kRk4, true}};
 
 /// A voxel of 128 along the edge [scene units]: the unit of steps, whatever the field's resolution.
 constexpr double kReferenceVoxel = 2.0 * kHalfLattice / 128.0;
+
+/// Adaptive steps are within this factor of the fixed ones that share their row of the table, and of their length where n
+/// changes by itself over this distance [scene units].
+constexpr double kAdaptiveRange = 4.0, kAdaptiveLength = 0.5;
+
+StepRule ruleOf(const NamedMethod& method, double ds) {
+    if (!method.adapts) return {ds, ds};
+    return {ds / kAdaptiveRange, ds * kAdaptiveRange, ds / kAdaptiveLength};
+}
 
 /// What interpolates the case's index, and on how many voxels; 0: nothing does.
 struct FieldKind {
@@ -48,7 +60,8 @@ std::vector<double> errorsOf(const std::vector<RayEnd>& ends, const std::vector<
     return {rms.x, rms.y, rms.z};
 }
 
-std::string settingOf(const FieldKind& kind, double stepVoxels) {
+std::string settingOf(const FieldKind& kind, const StepRule& rule, double stepVoxels) {
+    if (rule.adapts()) return fmt::format("turns of {:.2g} rad", rule.angle);
     return kind.resolution > 0 ? fmt::format("step {:g} voxels", stepVoxels * kind.resolution / 128.0)
                                : fmt::format("step {:g}/128 of the edge", stepVoxels);
 }
@@ -58,16 +71,16 @@ Measurement measure(const Field& field, const FieldKind& kind, const RayCase& ra
                     double stepVoxels) {
     std::vector<RayEnd> ends;
     std::uint64_t evaluations = 0;
-    const double ds = stepVoxels * kReferenceVoxel;
+    const StepRule rule = ruleOf(method, stepVoxels * kReferenceVoxel);
     const std::clock_t start = std::clock();  // of the processor: other work does not count
     for (const RayStart& ray : rayCase.starts) {
-        const FollowedRay followed = followRay(field, method.method, ray, ds);
+        const FollowedRay followed = followRay(field, method.method, ray, rule);
         ends.push_back(followed.end);
         evaluations += followed.evaluations;
     }
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     const double rays = double(ends.size());
-    return {rayCase.name, kind.name, kind.resolution, method.name, settingOf(kind, stepVoxels),
+    return {rayCase.name, kind.name, kind.resolution, method.name, settingOf(kind, rule, stepVoxels),
             double(evaluations) / rays, seconds / rays, errorsOf(ends, rayCase.truth), kind.line};
 }
 
@@ -83,10 +96,11 @@ void addCurves(Family& family, const Field& field, const FieldKind& kind, const 
 }
 
 void addVoxelFields(Family& family, const RayCase& rayCase, int resolution, Line line, const RayBenchOptions& options) {
-    const Fields fields =
+    Fields fields =
         sampledField(cubeLattice(resolution, kHalfLattice), [&](const glm::dvec3& x) { return rayCase.optics(x).n; });
     addCurves(family, reference::GridField(fields), {"linear", resolution, line}, rayCase, options);
-    addCurves(family, CubicField(fields.ior, fields.lattice), {"cubic", resolution, Line::kNone}, rayCase, options);
+    fields.iorSpline = splineCoefficients(fields.ior);
+    addCurves(family, reference::GridField(fields), {"cubic", resolution, Line::kNone}, rayCase, options);
 }
 
 } // namespace

@@ -127,7 +127,7 @@ RayCase sphereCase(int rays) {
         const glm::dvec2 b = onDisc(i, rays, 0.95 * radius);
         const RayStart start{{-kHalfBox, b.x, b.y}, {1.0, 0.0, 0.0}};
         result.starts.push_back(start);
-        result.truth.push_back(followRay(sphere, Method::kRk4, start, width / 200.0).end);
+        result.truth.push_back(followRay(sphere, Method::kRk4, start, {width / 200.0, width / 200.0}).end);
     }
     return result;
 }

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "common/accuracy.h"
 #include "common/scene_toml.h"
 
 namespace eikonal::window {
@@ -38,8 +39,8 @@ void note(const std::string& key, const Scene& after, Redo& redo) {
     } else if (key == "render.effects") {
         redo.image = redo.light = true;
     } else {
-        redo.image = redo.image || key == "accuracy.step";
-        redo.light = true;
+        redo.image = redo.image || key == "accuracy.step" || key == "accuracy.integrator";
+        redo.light = redo.light || key != "accuracy.integrator";
     }
 }
 
@@ -55,6 +56,7 @@ Redo redoFor(const Scene& before, const Scene& after) {
     for (const auto& [key, text] : old) {
         if (!now.contains(key)) note(key, after, redo);
     }
+    redo.fields = redo.fields || interpolationOf(before.accuracy) != interpolationOf(after.accuracy);
     redo.image = redo.image || redo.fields;
     redo.light = redo.light || redo.fields;
     return redo;
