@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -33,6 +34,7 @@ struct RenderArguments {
     std::string bake;
     std::string statistics;
     bool force = false;
+    bool noEstimate = false;
 };
 
 constexpr std::array<std::string_view, 4> kExtensions{".exr", ".png", ".jpg", ".jpeg"};
@@ -78,12 +80,22 @@ Light lightOf(const RenderArguments& arguments, const gpu::Context& context, con
     return {std::move(result.light), std::move(result.statistics)};
 }
 
-void writeStatistics(const std::string& file, const RenderResult& image, const Light& light, const EffectSet& effects) {
+void writeStatistics(const std::string& file, const RenderResult& image, const std::optional<ErrorEstimate>& error,
+                     const Light& light, const EffectSet& effects) {
     nlohmann::json statistics = renderJson(image.statistics, effects);
+    if (error) {
+        statistics["error_estimate"] = errorJson(*error);
+    }
     if (light.statistics) {
         statistics["bake"] = bakeJson(*light.statistics, effects);
     }
     writeFile(file, statistics.dump(2) + "\n");
+}
+
+/// The scene with the samples that its image took: a target of noise may have ended them early.
+Scene asTaken(Scene scene, const RenderResult& image) {
+    scene.render.samples = int(std::lround(image.statistics.samples));
+    return scene;
 }
 
 void runRender(const RenderArguments& arguments, const ProgramOptions& options) {
@@ -100,14 +112,18 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
         throwIfInterrupted();
         progress.update("rendering", fraction);
     };
-    const RenderResult image =
-        renderScene(context, scene, fields, effects, light.baked ? &*light.baked : nullptr, renderOptions);
+    const BakedLight* baked = light.baked ? &*light.baked : nullptr;
+    const RenderResult image = renderScene(context, scene, fields, effects, baked, renderOptions);
+    std::optional<ErrorEstimate> error;
+    if (!arguments.statistics.empty() && !arguments.noEstimate) {
+        error = estimateError(context, asTaken(scene, image), fields, effects, baked, renderOptions);
+    }
     progress.finish();
 
     writeRendered(arguments.output, image,
                   attributesOf(image, scene, fmt::format("{} {}", kCreator, kVersion)));
     if (!arguments.statistics.empty()) {
-        writeStatistics(arguments.statistics, image, light, effects);
+        writeStatistics(arguments.statistics, image, error, light, effects);
     }
     note(options, fmt::format("{}: {} x {} pixels, {:.0f} samples each, in {:.2f} s", arguments.output, image.size.x,
                               image.size.y, image.statistics.samples, image.statistics.seconds.back().second));
@@ -135,7 +151,10 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     addNumberKey(command, arguments.scene,
                  {"--noise", "render.noise", "SHARE",
                   fmt::format("relative standard error at which sampling ends [the scene's, else {}: never]", defaults.noise)});
-    command.add_option("--stats", arguments.statistics, "write seconds, rays, steps and noise as JSON")->type_name("FILE.json");
+    command
+        .add_option("--stats", arguments.statistics, "write seconds, rays, steps, noise and an estimate of the error as JSON")
+        ->type_name("FILE.json");
+    command.add_flag("--no-estimate", arguments.noEstimate, "with --stats: spare the rays that the estimate takes");
 }
 
 } // namespace

@@ -88,6 +88,11 @@ nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effec
     };
 }
 
+nlohmann::json errorJson(const ErrorEstimate& estimate) {
+    return {{"total", estimate.total},       {"step", estimate.step},     {"interpolation", estimate.interpolation},
+            {"sampling", estimate.sampling}, {"pixels", estimate.pixels}, {"seconds", estimate.seconds}};
+}
+
 nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& effects) {
     nlohmann::json seconds = nlohmann::json::object();
     for (const auto& [stage, value] : statistics.seconds) {

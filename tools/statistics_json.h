@@ -5,6 +5,7 @@
 
 #include "common/effects.h"
 #include "lightsim/bake.h"
+#include "viewer/error_estimate.h"
 #include "viewer/render.h"
 
 namespace eikonal {
@@ -13,6 +14,7 @@ namespace eikonal {
 nlohmann::json energyJson(const BakeStatistics& statistics);
 nlohmann::json effectsJson(const EffectSet& effects);
 nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effects);
+nlohmann::json errorJson(const ErrorEstimate& estimate);
 nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& effects);
 
 } // namespace eikonal

@@ -162,6 +162,7 @@ std::size_t ProgressiveImage::addRays(std::size_t most) {
     const viewer::Tile tile = viewer::nextTile(region_, pixelsDone_, count);
     viewer::configureTile(batch_.view, tile, pixelsDone_);
     viewer::configureRound(batch_.view, round_, sampling_);
+    batch_.view.subPixel = 0.5f + options_.pixelShare * (batch_.view.subPixel - 0.5f);
     bind();
     for (std::size_t pass = 0; pass < passes_.count(); ++pass) {
         runPass(pass);

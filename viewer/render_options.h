@@ -11,6 +11,8 @@ namespace eikonal {
 
 /// Image size, samples, filter, exposure, tone curve and step come from the scene.
 struct RenderOptions {
+    /// Edges of what a pixel's samples cover, of its own; less than 1: the image is a sample of the pixels of a larger one.
+    glm::vec2 pixelShare{1.0f};
     bool straightFlights = true;          ///< false: steps through everything, for comparison
     std::uint32_t maxEvaluations = 0;     ///< of the index field and look-ups by ray; 0: from the domain's size
     std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes

@@ -214,10 +214,13 @@ TEST(RenderCommand, StatisticsHoldTheDocumentedKeys) {
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const json statistics = json::parse(readText(folder.file("a.json")));
     for (const char* key : {"seconds", "rays", "samples", "noise", "steps", "field_evaluations", "effects", "device",
-                            "memory_bytes", "textures"}) {
+                            "memory_bytes", "textures", "error_estimate"}) {
         EXPECT_TRUE(statistics.contains(key)) << key;
     }
     EXPECT_EQ(statistics["rays"], 32 * 24);
+    EXPECT_GT(statistics["error_estimate"]["total"], 0.0);  // of one sample a pixel
+    runEikonal({"render", scene, "-o", folder.file("a.png"), "--stats", folder.file("b.json"), "--no-estimate"});
+    EXPECT_FALSE(json::parse(readText(folder.file("b.json"))).contains("error_estimate"));
 }
 
 TEST(TraceCommand, WritesOneRowPerRayInOrder) {
