@@ -3,9 +3,15 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include <glm/glm.hpp>
+
 namespace eikonal {
+
+/// Named values in the head of an OpenEXR. Matrices are for column vectors, as GLM's are; the file holds them for row vectors.
+using ImageAttributes = std::vector<std::pair<std::string, std::variant<std::string, float, glm::mat4>>>;
 
 /// Pixels as they pass between the program and the module: `names.size()` interleaved floats a pixel, from the top.
 struct RawImage {
@@ -21,7 +27,7 @@ struct ImageCodec {
     bool (*decode)(const std::string& file, bool linear, RawImage& image, std::string& error);
     /// `format` is "exr" (float), "png" or "jpg" (8 bits). The bytes of the whole file.
     bool (*encode)(const std::string& format, const RawImage& image,
-                   const std::vector<std::pair<std::string, std::string>>& attributes, std::vector<unsigned char>& bytes,
+                   const ImageAttributes& attributes, std::vector<unsigned char>& bytes,
                    std::string& error);
 };
 

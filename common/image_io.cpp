@@ -10,7 +10,6 @@
 
 #include "common/companion.h"
 #include "common/error.h"
-#include "common/image_codec.h"
 #include "common/output_file.h"
 
 namespace fs = std::filesystem;
@@ -62,7 +61,7 @@ void requireRadiance(const fs::path& path, const Image& image) {
 }
 
 void write(const fs::path& path, const std::string& format, const RawImage& image,
-           const std::vector<std::pair<std::string, std::string>>& attributes) {
+           const ImageAttributes& attributes) {
     requireWritable(path);
     std::vector<unsigned char> bytes;
     std::string error;
@@ -102,7 +101,7 @@ ChannelImage readChannels(const fs::path& path) {
 }
 
 void writeExr(const fs::path& path, const glm::ivec2& size, const std::vector<ImageChannel>& channels,
-              const std::vector<std::pair<std::string, std::string>>& attributes) {
+              const ImageAttributes& attributes) {
     RawImage raw{size.x, size.y, {}, std::vector<float>(std::size_t(size.x) * std::size_t(size.y) * channels.size())};
     for (std::size_t c = 0; c < channels.size(); ++c) {
         raw.names.push_back(channels[c].name);

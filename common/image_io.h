@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
+
+#include "common/image_codec.h"
 
 namespace eikonal {
 
@@ -38,7 +39,7 @@ ChannelImage readChannels(const std::filesystem::path& path);
 
 /// Writes linear float OpenEXR; equal inputs give equal bytes. Throws failure for an unwritable folder or a full disk.
 void writeExr(const std::filesystem::path& path, const glm::ivec2& size, const std::vector<ImageChannel>& channels,
-              const std::vector<std::pair<std::string, std::string>>& attributes);
+              const ImageAttributes& attributes);
 
 /// Writes .png or .jpg from display-encoded values in 0 to 1 (clamped, rounded to 8 bits).
 /// Throws Error with kUsage for another extension, failure for an unwritable folder or a full disk.

@@ -43,13 +43,21 @@ bool decodeFile(const std::string& file, bool linear, RawImage& image, std::stri
     return true;
 }
 
-OIIO::ImageSpec specOf(const std::string& format, const RawImage& image,
-                       const std::vector<std::pair<std::string, std::string>>& attributes) {
+void setAttribute(OIIO::ImageSpec& spec, const std::string& key, const std::string& value) { spec.attribute(key, value); }
+
+void setAttribute(OIIO::ImageSpec& spec, const std::string& key, float value) { spec.attribute(key, value); }
+
+/// A matrix by columns for column vectors is the same sixteen numbers as one by rows for row vectors.
+void setAttribute(OIIO::ImageSpec& spec, const std::string& key, const glm::mat4& value) {
+    spec.attribute(key, OIIO::TypeMatrix, &value[0][0]);
+}
+
+OIIO::ImageSpec specOf(const std::string& format, const RawImage& image, const ImageAttributes& attributes) {
     OIIO::ImageSpec spec(image.width, image.height, int(image.names.size()),
                          format == "exr" ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
     spec.channelnames = image.names;
     for (const auto& [key, value] : attributes)
-        spec.attribute(key, value);
+        std::visit([&, &name = key](const auto& held) { setAttribute(spec, name, held); }, value);
     if (format == "exr") {
         spec.attribute("oiio:ColorSpace", "Linear");
         spec.attribute("compression", "zip");
@@ -72,7 +80,7 @@ std::vector<unsigned char> quantized(const std::vector<float>& values) {
 
 /// To memory: the PNG writer reports success on a full disk, so bytes are written where errors are seen.
 bool encodeBytes(const std::string& format, const RawImage& image,
-                 const std::vector<std::pair<std::string, std::string>>& attributes, std::vector<unsigned char>& bytes,
+                 const ImageAttributes& attributes, std::vector<unsigned char>& bytes,
                  std::string& error) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("image." + format);
     if (!output || !output->supports("ioproxy")) {
@@ -107,7 +115,7 @@ bool decode(const std::string& file, bool linear, RawImage& image, std::string& 
 }
 
 bool encode(const std::string& format, const RawImage& image,
-            const std::vector<std::pair<std::string, std::string>>& attributes, std::vector<unsigned char>& bytes,
+            const ImageAttributes& attributes, std::vector<unsigned char>& bytes,
             std::string& error) {
     return guarded(error, [&] { return encodeBytes(format, image, attributes, bytes, error); });
 }

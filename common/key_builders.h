@@ -20,6 +20,25 @@ Key<Section> number(std::string_view name, Access access, Limits limits) {
             [=](const Section& section) { return writeNumber(std::invoke(access, section)); }};
 }
 
+/// A number that a scene may leave to the program: `access` leads to an optional, unset where the file says "auto".
+/// `expected`: what is, for messages.
+template <class Section, class Access>
+Key<Section> numberOrAuto(std::string_view name, Access access, Limits limits, std::string_view expected) {
+    return {name,
+            [=](Section& section, const toml::node& node, const std::string& key) {
+                const bool isAuto = node.value<std::string_view>() == "auto";
+                if (!isAuto && !node.is_number())
+                    throw wrongValue(node, key, std::string(expected));
+                std::invoke(access, section).reset();
+                if (!isAuto)
+                    std::invoke(access, section) = readNumber(node, key, limits);
+            },
+            [=](const Section& section) {
+                const auto& value = std::invoke(access, section);
+                return value ? writeNumber(*value) : writeString("auto");
+            }};
+}
+
 template <class Section, class Access>
 Key<Section> integer(std::string_view name, Access access, Limits limits) {
     return {name,

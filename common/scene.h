@@ -133,7 +133,11 @@ using Light = std::variant<DirectionalLight, PointLight, SpotLight, RectangleLig
 
 struct Camera {
     glm::dvec3 position{0.0, 0.0, 4.0}, lookAt{0.0}, up{0.0, 1.0, 0.0};
-    double fov = 35.0;  ///< vertical [degrees]
+    double fov = 35.0;            ///< vertical [degrees]
+    double aperture = 0.0;        ///< diameter of the thin lens; 0: a pinhole, all is sharp
+    std::optional<double> focus;  ///< distance of the plane in focus, along the view; unset: that of lookAt
+
+    double focusDistance() const { return focus.value_or(glm::length(lookAt - position)); }
 };
 
 struct Environment {
@@ -162,10 +166,14 @@ struct Accuracy {
 };
 
 enum class ToneMap { kAgx, kReinhard, kNone };
+enum class PixelFilter { kBox, kTent, kGaussian, kBlackmanHarris };
 
 struct RenderSettings {
     glm::ivec2 size{800, 600};
-    int samples = 1;
+    int samples = 1;           ///< in each pixel, at most
+    double noise = 0.0;        ///< relative standard error at which sampling ends; 0: all samples are taken
+    PixelFilter filter = PixelFilter::kBox;
+    std::optional<double> filterWidth;  ///< from edge to edge [pixels]; unset: the filter's own
     double exposureEv = 0.0;
     ToneMap toneMap = ToneMap::kAgx;
     std::optional<std::vector<std::string>> effects;  ///< unset: auto; else the names allowed

@@ -24,8 +24,14 @@ constexpr std::pair<std::string_view, Deposit> kDeposits[] = {
     {"auto", Deposit::kAuto}, {"splat", Deposit::kSplat}, {"cells", Deposit::kCells}, {"peak", Deposit::kPeak}};
 constexpr std::pair<std::string_view, Directional> kDirectionals[] = {
     {"auto", Directional::kAuto}, {"mean", Directional::kMean}, {"lobes", Directional::kLobes}};
+constexpr std::pair<std::string_view, PixelFilter> kPixelFilters[] = {{"box", PixelFilter::kBox},
+                                                                     {"tent", PixelFilter::kTent},
+                                                                     {"gaussian", PixelFilter::kGaussian},
+                                                                     {"blackman-harris", PixelFilter::kBlackmanHarris}};
 constexpr std::pair<std::string_view, ToneMap> kToneMaps[] = {
     {"agx", ToneMap::kAgx}, {"reinhard", ToneMap::kReinhard}, {"none", ToneMap::kNone}};
+
+constexpr Limits kFilterWidths{.low = 0.0, .high = 16.0, .lowOpen = true};
 
 std::optional<std::string> written(const std::string& value) { return value; }
 
@@ -68,21 +74,6 @@ Key<Environment> gradientKey() {
             [](const Environment& environment) {
                 return fmt::format("[{}, {}]", writeVector(environment.gradient[0]),
                                    writeVector(environment.gradient[1]));
-            }};
-}
-
-Key<Accuracy> stepKey() {
-    return {"step",
-            [](Accuracy& accuracy, const toml::node& node, const std::string& key) {
-                accuracy.stepVoxels.reset();
-                if (node.value<std::string_view>() == "auto")
-                    return;
-                if (!node.is_number())
-                    throw wrongValue(node, key, "'auto' or voxels, a number > 0");
-                accuracy.stepVoxels = readNumber(node, key, kPositive);
-            },
-            [](const Accuracy& accuracy) {
-                return accuracy.stepVoxels ? writeNumber(*accuracy.stepVoxels) : writeString("auto");
             }};
 }
 
@@ -157,6 +148,8 @@ const Keys<Camera>& cameraKeys() {
         keys::vector3<Camera>("look_at", &Camera::lookAt, kAnyNumber),
         keys::vector3<Camera>("up", &Camera::up, kAnyNumber),
         keys::number<Camera>("fov", &Camera::fov, {.low = 0.0, .high = 180.0, .lowOpen = true, .highOpen = true}),
+        keys::number<Camera>("aperture", &Camera::aperture, kNotNegative),
+        keys::numberOrAuto<Camera>("focus", &Camera::focus, kPositive, "'auto' or a distance, a number > 0"),
     };
     return table;
 }
@@ -179,7 +172,7 @@ const Keys<Accuracy>& accuracyKeys() {
         toleranceKey(),
         keys::choice<Accuracy>("integrator", &Accuracy::integrator, Choices<Integrator>(kIntegrators)),
         keys::choice<Accuracy>("interpolation", &Accuracy::interpolation, Choices<Interpolation>(kInterpolations)),
-        stepKey(),
+        keys::numberOrAuto<Accuracy>("step", &Accuracy::stepVoxels, kPositive, "'auto' or voxels, a number > 0"),
         keys::choice<Accuracy>("deposit", &Accuracy::deposit, Choices<Deposit>(kDeposits)),
         keys::choice<Accuracy>("directional", &Accuracy::directional, Choices<Directional>(kDirectionals)),
         keys::integer<Accuracy>("reflections", &Accuracy::reflections, {.low = 0.0, .high = 8.0}),
@@ -192,6 +185,10 @@ const Keys<RenderSettings>& renderKeys() {
     static const Keys<RenderSettings> table{
         sizeKey(),
         keys::integer<RenderSettings>("samples", &RenderSettings::samples, {.low = 1.0, .high = 1e6}),
+        keys::number<RenderSettings>("noise", &RenderSettings::noise, {.low = 0.0, .high = 1.0}),
+        keys::choice<RenderSettings>("filter", &RenderSettings::filter, Choices<PixelFilter>(kPixelFilters)),
+        keys::numberOrAuto<RenderSettings>("filter_width", &RenderSettings::filterWidth, kFilterWidths,
+                                           "'auto' or pixels, a number > 0 and at most 16"),
         keys::number<RenderSettings>("exposure", &RenderSettings::exposureEv, {.low = -100.0, .high = 100.0}),
         keys::choice<RenderSettings>("tone_map", &RenderSettings::toneMap, Choices<ToneMap>(kToneMaps)),
         effectsKey(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -15,7 +16,6 @@
 #include "common/gpu/context.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
-#include "common/scene_toml.h"
 #include "lightsim/bake.h"
 #include "tools/bake_file.h"
 #include "tools/scene_arguments.h"
@@ -92,6 +92,12 @@ void writeStatistics(const std::string& file, const RenderResult& image, const s
     writeFile(file, statistics.dump(2) + "\n");
 }
 
+/// The scene with the samples that its image took: a target of noise may have ended them early.
+Scene asTaken(Scene scene, const RenderResult& image) {
+    scene.render.samples = int(std::lround(image.statistics.samples));
+    return scene;
+}
+
 void runRender(const RenderArguments& arguments, const ProgramOptions& options) {
     requireOutputs(arguments);
     const Scene scene = sceneOf(arguments.scene);
@@ -110,17 +116,17 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     const RenderResult image = renderScene(context, scene, fields, effects, baked, renderOptions);
     std::optional<ErrorEstimate> error;
     if (!arguments.statistics.empty() && !arguments.noEstimate) {
-        error = estimateError(context, scene, fields, effects, baked, renderOptions);
+        error = estimateError(context, asTaken(scene, image), fields, effects, baked, renderOptions);
     }
     progress.finish();
 
     writeRendered(arguments.output, image,
-                  {{"software", fmt::format("{} {}", kCreator, kVersion)}, {"scene", resolvedToml(scene)}});
+                  attributesOf(image, scene, fmt::format("{} {}", kCreator, kVersion)));
     if (!arguments.statistics.empty()) {
         writeStatistics(arguments.statistics, image, error, light, effects);
     }
-    note(options, fmt::format("{}: {} x {} pixels, {} samples each, in {:.2f} s", arguments.output, image.size.x,
-                              image.size.y, scene.render.samples, image.statistics.seconds.back().second));
+    note(options, fmt::format("{}: {} x {} pixels, {:.0f} samples each, in {:.2f} s", arguments.output, image.size.x,
+                              image.size.y, image.statistics.samples, image.statistics.seconds.back().second));
 }
 
 void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
@@ -140,8 +146,13 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
                 fmt::format("pixels [the scene's, else {}x{}]", defaults.size.x, defaults.size.y)});
     addIntegerKey(command, arguments.scene,
                   {"--samples", "render.samples", "N",
-                   fmt::format("samples per pixel [the scene's, else {}]", defaults.samples)});
-    command.add_option("--stats", arguments.statistics, "write seconds, rays, steps and an estimate of the error as JSON")
+                   fmt::format("samples per pixel, at most where the scene asks for a noise [the scene's, else {}]",
+                               defaults.samples)});
+    addNumberKey(command, arguments.scene,
+                 {"--noise", "render.noise", "SHARE",
+                  fmt::format("relative standard error at which sampling ends [the scene's, else {}: never]", defaults.noise)});
+    command
+        .add_option("--stats", arguments.statistics, "write seconds, rays, steps, noise and an estimate of the error as JSON")
         ->type_name("FILE.json");
     command.add_flag("--no-estimate", arguments.noEstimate, "with --stats: spare the rays that the estimate takes");
 }

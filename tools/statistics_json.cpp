@@ -106,6 +106,8 @@ nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& e
         {"seconds", seconds},
         {"rays", statistics.rays},
         {"reflected_rays", statistics.reflectedRays},
+        {"samples", statistics.samples},
+        {"noise", statistics.samples >= 2.0 ? nlohmann::json(statistics.noise) : nlohmann::json()},
         {"steps", statistics.steps},
         {"field_evaluations", statistics.fieldEvaluations},
         {"clearance_look_ups", statistics.clearanceLookUps},

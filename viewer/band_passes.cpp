@@ -1,5 +1,7 @@
 #include "viewer/band_passes.h"
 
+#include <numbers>
+
 #include "common/physics.h"
 
 namespace eikonal::viewer {
@@ -10,7 +12,14 @@ void BandPasses::configure(gpu::ViewBlock& view, bool everyRayByBand) {
 }
 
 /// A band is an interval, and samples are its strata: few bands with many samples show no steps. The strata are dealt out
-/// differently in each band, so that no place within the pixel gets the long wavelengths of all of them.
+/// differently in each band, so that no place within the pixel gets the long wavelengths of all of them. Where their number is
+/// not known, the golden ratio spreads any number of them.
+double BandPasses::placeInBand(std::size_t index, int sample) const {
+    const int place = sample + int(index);
+    if (samples_ == 0) return glm::fract(0.5 + place / std::numbers::phi);
+    return (place % samples_ + 0.5) / samples_;
+}
+
 void BandPasses::begin(std::size_t pass, int sample, gpu::ViewBlock& view, GpuFields& fields, const Light& light) const {
     if (bands_.empty()) return;
     if (pass == 0) {
@@ -25,8 +34,7 @@ void BandPasses::begin(std::size_t pass, int sample, gpu::ViewBlock& view, GpuFi
     view.bandChannel = gpu::uint(band.channel);
     view.bandToRgb = glm::vec3(band.toRgb);
     view.dispersedAtStart = 1u;
-    const int stratum = (sample + int(index)) % samples_;
-    fields.setWavelength(band.wavelengthAt((stratum + 0.5) / samples_));
+    fields.setWavelength(band.wavelengthAt(placeInBand(index, sample)));
     light.bindBand(index);
 }
 

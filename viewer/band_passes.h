@@ -13,7 +13,7 @@ namespace eikonal::viewer {
 
 class BandPasses {
 public:
-    /// No bands: the reference pass is all there is.
+    /// No bands: the reference pass is all there is. `samples`: of each pixel; 0: nobody knows how many there will be.
     BandPasses(std::vector<SpectralBand> bands, int samples) : bands_(std::move(bands)), samples_(samples) {}
 
     std::size_t bandCount() const { return bands_.size(); }
@@ -24,6 +24,9 @@ public:
     void begin(std::size_t pass, int sample, gpu::ViewBlock& view, GpuFields& fields, const Light& light) const;
 
 private:
+    /// Where in a band a sample is, 0 to 1.
+    double placeInBand(std::size_t index, int sample) const;
+
     std::vector<SpectralBand> bands_;
     int samples_;
     bool everyRayByBand_ = false;

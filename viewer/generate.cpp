@@ -6,6 +6,7 @@ namespace {
 
 std::vector<std::string> withSource(std::vector<std::string> defines, Generate::Source source) {
     if (source == Generate::Source::kGiven) defines.push_back("RAYS_GIVEN");
+    if (source == Generate::Source::kLens) defines.push_back("LENS");
     return defines;
 }
 

@@ -10,7 +10,7 @@ namespace eikonal::viewer {
 
 class Generate {
 public:
-    enum class Source { kCamera, kGiven };
+    enum class Source { kPinhole, kLens, kGiven };
 
     Generate(const gpu::Context& context, std::vector<std::string> defines, Source source);
 

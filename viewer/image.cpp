@@ -52,20 +52,28 @@ bool hasGreyMatter(const Fields& fields) {
     return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
 }
 
+viewer::Generate generateFor(const gpu::Context& context, const GpuFields& fields, const viewer::Sampling& sampling) {
+    using Source = viewer::Generate::Source;
+    return {context, fields.defines(), sampling.hasLens() ? Source::kLens : Source::kPinhole};
+}
+
+/// How many samples the bands of wavelengths are divided into; 0 where noise decides how many there are.
+int strataOf(const RenderSettings& render) { return render.noise > 0.0 ? 0 : render.samples; }
+
 } // namespace
 
 ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                    const EffectSet& effects, const BakedLight* bake, const RenderOptions& options)
-    : context_(context), options_(options), lattice_(fields.lattice), camera_(scene.camera),
+    : context_(context), options_(options), lattice_(fields.lattice), render_(scene.render),
+      camera_(scene.camera), sampling_(viewer::samplingOf(scene.render, scene.camera)),
       fields_(context, fields, effects), environment_(surroundings(context, scene, effects, bake)),
-      passes_(spectralBandsOf(scene.accuracy, effects), scene.render.samples), hasGreyMatter_(hasGreyMatter(fields)),
+      passes_(spectralBandsOf(scene.accuracy, effects), strataOf(scene.render)), hasGreyMatter_(hasGreyMatter(fields)),
       light_(context, bake, passes_.bandCount()),
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
       reflections_(reflectionsFor(context, scene, effects, fields_, options)),
       batch_(context, options.tileRays),
-      generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
-      steps_(stepVoxelsOf(scene.accuracy), 1.0), integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()),
-      accumulate_(context, fields_.defines()),
+      generate_(generateFor(context, fields_, sampling_)), steps_(stepVoxelsOf(scene.accuracy), 1.0),
+      integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
@@ -104,8 +112,9 @@ void ProgressiveImage::configureLight() {
 }
 
 void ProgressiveImage::startOver() {
-    sample_ = 0;
+    round_ = 0;
     pixelsDone_ = 0;
+    isQuiet_ = false;
 }
 
 void ProgressiveImage::setFrame(const glm::ivec2& size, const viewer::Tile& region) {
@@ -118,6 +127,9 @@ void ProgressiveImage::setFrame(const glm::ivec2& size, const viewer::Tile& regi
 
 void ProgressiveImage::setCamera(const Camera& camera) {
     camera_ = camera;
+    const bool hadLens = sampling_.hasLens();
+    sampling_ = viewer::samplingOf(render_, camera);
+    if (sampling_.hasLens() != hadLens) generate_ = generateFor(context_, fields_, sampling_);
     viewer::configureCamera(batch_.view, deviceFromWorld(lattice_, camera), batch_.view.imageSize);
     startOver();
 }
@@ -153,7 +165,7 @@ void ProgressiveImage::mark(std::string_view pass) const {
 }
 
 void ProgressiveImage::runPass(std::size_t pass) {
-    passes_.begin(pass, sample_, batch_.view, fields_, light_);
+    passes_.begin(pass, viewer::sampleOfRound(round_, sampling_), batch_.view, fields_, light_);
     batch_.bind();
     mark("generate");
     generate_.run(batch_);
@@ -173,7 +185,7 @@ std::size_t ProgressiveImage::addRays(std::size_t most) {
     const std::size_t count = std::clamp<std::size_t>(most, 1, options_.tileRays);
     const viewer::Tile tile = viewer::nextTile(region_, pixelsDone_, count);
     viewer::configureTile(batch_.view, tile, pixelsDone_);
-    viewer::configureSample(batch_.view, sample_, options_.filter);
+    viewer::configureRound(batch_.view, round_, sampling_);
     batch_.view.subPixel = 0.5f + options_.pixelShare * (batch_.view.subPixel - 0.5f);
     bind();
     for (std::size_t pass = 0; pass < passes_.count(); ++pass) {
@@ -181,14 +193,17 @@ std::size_t ProgressiveImage::addRays(std::size_t most) {
     }
     mark({});
     pixelsDone_ += tile.pixels();
-    if (pixelsDone_ == region_.pixels()) {
-        ++sample_;
-        pixelsDone_ = 0;
-    }
+    if (pixelsDone_ == region_.pixels()) finishRound();
     return tile.pixels();
 }
 
-double ProgressiveImage::sampleProgress() const {
+void ProgressiveImage::finishRound() {
+    ++round_;
+    pixelsDone_ = 0;
+    if (render_.noise > 0.0 && viewer::isNoiseLookedAt(samples())) isQuiet_ = noise().relative() <= render_.noise;
+}
+
+double ProgressiveImage::roundProgress() const {
     return double(pixelsDone_) / double(std::max<std::size_t>(region_.pixels(), 1));
 }
 
@@ -203,7 +218,7 @@ void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Textur
                              const ProgressiveImage* compared) {
     assert((look.look == viewer::Look::kError) == (compared != nullptr));
     viewer::configureTile(batch_.view, region_, 0);
-    passes_.begin(0, sample_, batch_.view, fields_, light_);  // slices show the index at the reference wavelength
+    passes_.begin(0, 0, batch_.view, fields_, light_);  // slices show the index at the reference wavelength
     bind();
     if (compared) compared->accumulate_.bindAsCompared();
     mark("paint");

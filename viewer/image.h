@@ -20,9 +20,11 @@
 #include "viewer/generate.h"
 #include "viewer/light.h"
 #include "viewer/march.h"
+#include "viewer/noise.h"
 #include "viewer/picture.h"
 #include "viewer/reflections.h"
 #include "viewer/render_options.h"
+#include "viewer/sampling.h"
 #include "viewer/shade.h"
 #include "viewer/tone_map.h"
 
@@ -46,14 +48,21 @@ public:
     /// Factor 2^ev on what is displayed; the film stays.
     void setExposure(double ev);
 
-    /// Follows the next rays of the sample under way, at most `most` of them and never more than options.tileRays nor than
-    /// complete the sample. How many they were.
+    /// Follows the next rays of the round under way, at most `most` of them and never more than options.tileRays nor than
+    /// complete the round. How many they were.
     std::size_t addRays(std::size_t most);
     std::size_t mostRays() const { return options_.tileRays; }
+    /// Rounds of one ray a pixel that are complete.
+    int rounds() const { return round_; }
+    /// Rounds that the scene's samples take.
+    int mostRounds() const { return sampling_.roundsOf(render_.samples); }
     /// Samples that every pixel has; the film is their mean.
-    int samples() const { return sample_; }
-    /// Share of the sample under way that is done, 0 to 1.
-    double sampleProgress() const;
+    int samples() const { return sampling_.samplesIn(round_); }
+    /// Whether the film has all samples of the scene, or as little noise as it asks for.
+    bool isComplete() const { return round_ >= mostRounds() || isQuiet_; }
+    viewer::FilmNoise noise() const { return viewer::noiseOf(film(), samples()); }
+    /// Share of the round under way that is done, 0 to 1.
+    double roundProgress() const;
 
     const viewer::Tile& region() const { return region_; }
     const glm::ivec2& frameSize() const { return batch_.view.imageSize; }
@@ -75,6 +84,7 @@ public:
 private:
     void startOver();
     void configureLight();
+    void finishRound();
     void runPass(std::size_t pass);
     std::vector<std::string> allDefines() const;
     viewer::March& march();
@@ -84,7 +94,9 @@ private:
     const gpu::Context& context_;
     RenderOptions options_;
     Lattice lattice_;
+    RenderSettings render_;
     Camera camera_;
+    viewer::Sampling sampling_;
     GpuFields fields_;
     viewer::EnvironmentLight environment_;
     viewer::BandPasses passes_;
@@ -104,8 +116,9 @@ private:
     viewer::PicturePainter painter_;
     gpu::PassTimer* timer_ = nullptr;
     viewer::Tile region_;
-    int sample_ = 0;
-    std::size_t pixelsDone_ = 0;  ///< of the sample under way
+    int round_ = 0;
+    std::size_t pixelsDone_ = 0;  ///< of the round under way
+    bool isQuiet_ = false;        ///< as little noise as the scene asks for
 };
 
 } // namespace eikonal

@@ -3,15 +3,18 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "common/image_io.h"
 #include "viewer/render.h"
 
 namespace eikonal {
 
+/// What an OpenEXR of a scene's image says beside its pixels: `creator` and `software`; `scene`, TOML with everything resolved;
+/// `worldToCamera` and `worldToNDC`, as OpenEXR defines them (camera space is left-handed, y up, z along the view; x and y of
+/// NDC go from 0 at the upper left to 1); `seconds`, `samples` and `noise`, where the image has statistics.
+ImageAttributes attributesOf(const RenderResult& image, const Scene& scene, const std::string& creator);
+
 /// .exr: linear, with all channels and these attributes; .png and .jpg: tone-mapped. Throws as writeExr and writeDisplay.
-void writeRendered(const std::filesystem::path& file, const RenderResult& image,
-                   const std::vector<std::pair<std::string, std::string>>& attributes);
+void writeRendered(const std::filesystem::path& file, const RenderResult& image, const ImageAttributes& attributes);
 
 } // namespace eikonal

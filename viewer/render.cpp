@@ -40,6 +40,12 @@ void collectRegion(ProgressiveImage& image, RenderResult& result) {
     }
 }
 
+/// Noise is met over all pixels of a region, so where it is asked for regions are as large as a film may be on every device.
+std::size_t mostRegionPixels(const ProgressiveImage& image, const RenderSettings& settings) {
+    constexpr std::size_t kEveryDevicesBlock = 128u << 20;  // bytes
+    return settings.noise > 0.0 ? kEveryDevicesBlock / sizeof(gpu::FilmPixel) : image.mostRays();
+}
+
 RenderResult blankResult(const glm::ivec2& size) {
     RenderResult result;
     result.size = size;
@@ -95,15 +101,22 @@ RenderResult renderScene(const gpu::Context& context, const Scene& scene, const 
 RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings,
                          const std::function<void(double)>& progress) {
     RenderResult result = blankResult(settings.size);
-    const double allRays = double(result.display.size()) * settings.samples;
-    for (const Tile& region : viewer::tilesOf(settings.size, image.mostRays())) {
+    const double pixels = double(result.display.size());
+    viewer::FilmNoise noise;
+    double pixelsDone = 0.0;
+    for (const Tile& region : viewer::tilesOf(settings.size, mostRegionPixels(image, settings))) {
         image.setFrame(settings.size, region);
-        while (image.samples() < settings.samples) {
+        while (!image.isComplete()) {
             result.statistics.rays += image.addRays(region.pixels());
-            if (progress) progress(double(result.statistics.rays) / allRays);
+            const double ofRegion = (image.rounds() + image.roundProgress()) / image.mostRounds();
+            if (progress) progress((pixelsDone + double(region.pixels()) * ofRegion) / pixels);
         }
+        pixelsDone += double(region.pixels());
+        result.statistics.samples += image.samples() * double(region.pixels()) / pixels;
+        noise += image.noise();
         collectRegion(image, result);
     }
+    result.statistics.noise = noise.relative();
     return result;
 }
 

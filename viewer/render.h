@@ -25,6 +25,8 @@ struct RenderStatistics {
     std::vector<std::pair<std::string, double>> seconds;  ///< by stage, the last one "total"
     std::uint64_t rays = 0;
     std::uint64_t reflectedRays = 0;                      ///< that were followed from the boundaries that reflected them
+    double samples = 0.0;                                 ///< of a pixel, the mean over pixels
+    double noise = 0.0;                                   ///< relative standard error (viewer/noise.h)
     std::uint64_t steps = 0;                              ///< evaluations after the first of each ray, and look-ups
     std::uint64_t fieldEvaluations = 0;                   ///< of the index field
     std::uint64_t clearanceLookUps = 0;                   ///< how far the next straight flight may go
@@ -54,7 +56,7 @@ RenderResult renderScene(const gpu::Context& context, const Scene& scene, const 
                          const EffectSet& effects, const BakedLight* bake, const RenderOptions& options = {});
 
 /// All samples of a frame, region after region, so that a film of any size fits the device. `progress`: as in RenderOptions.
-/// Statistics hold the rays only.
+/// Statistics hold rays, samples and noise only.
 RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings,
                          const std::function<void(double)>& progress);
 

@@ -9,9 +9,8 @@
 
 namespace eikonal {
 
-/// Image size, samples, exposure, tone curve and step come from the scene.
+/// Image size, samples, filter, exposure, tone curve and step come from the scene.
 struct RenderOptions {
-    viewer::PixelFilter filter = viewer::PixelFilter::kBox;
     /// Edges of what a pixel's samples cover, of its own; less than 1: the image is a sample of the pixels of a larger one.
     glm::vec2 pixelShare{1.0f};
     bool straightFlights = true;          ///< false: steps through everything, for comparison

@@ -7,9 +7,6 @@ namespace eikonal::viewer {
 
 namespace {
 
-constexpr double kGaussianSigmaPixels = 0.5;
-constexpr double kPlastic = 1.32471795724474602596;  // root of x^3 = x + 1, of which the R2 sequence is made
-
 glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double magnitude = glm::length(v);
     return magnitude > 1e-12 ? v / magnitude : otherwise;
@@ -28,6 +25,7 @@ void configureCamera(gpu::ViewBlock& view, const Camera& camera, const glm::ivec
     view.cameraForward = glm::vec3(forward);
     view.cameraRight = glm::vec3(right * halfWidth);
     view.cameraUp = glm::vec3(glm::cross(right, forward) * halfHeight);
+    view.focusDistance = camera.focusDistance() > 0.0 ? float(camera.focusDistance()) : 1.0f;
     view.imageSize = imageSize;
 }
 
@@ -36,22 +34,6 @@ void configureTile(gpu::ViewBlock& view, const Tile& tile, std::size_t filmStart
     view.tileSize = tile.size;
     view.rayCount = gpu::uint(tile.pixels());
     view.filmStart = gpu::uint(filmStart);
-}
-
-void configureSample(gpu::ViewBlock& view, int sample, PixelFilter filter) {
-    view.sampleIndex = gpu::uint(sample);
-    view.sampleWeight = 1.0f / float(sample + 1);
-    view.subPixel = subPixelPosition(sample, filter);
-}
-
-glm::vec2 subPixelPosition(int sample, PixelFilter filter) {
-    const glm::dvec2 step(1.0 / kPlastic, 1.0 / (kPlastic * kPlastic));
-    const glm::dvec2 uniform = glm::fract(0.5 + double(sample) * step);
-    if (filter == PixelFilter::kBox || sample == 0) return glm::vec2(uniform);
-    // Box-Muller; the first coordinate is kept off 0, where the logarithm ends.
-    const double radius = kGaussianSigmaPixels * std::sqrt(-2.0 * std::log(1.0 - 0.999999 * uniform.x));
-    const double angle = 2.0 * 3.14159265358979323846 * uniform.y;
-    return glm::vec2(0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle));
 }
 
 std::vector<Tile> tilesOf(const glm::ivec2& imageSize, std::size_t mostPixels) {

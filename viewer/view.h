@@ -8,9 +8,6 @@
 
 namespace eikonal::viewer {
 
-/// Filter of a pixel: samples are distributed by it, so that all weigh the same.
-enum class PixelFilter { kBox, kGaussian };
-
 struct Tile {
     glm::ivec2 origin{0}, size{0};  ///< [pixels]
     std::size_t pixels() const { return std::size_t(size.x) * std::size_t(size.y); }
@@ -21,13 +18,6 @@ void configureCamera(gpu::ViewBlock& view, const Camera& camera, const glm::ivec
 
 /// `filmStart`: pixels of the film before the tile's.
 void configureTile(gpu::ViewBlock& view, const Tile& tile, std::size_t filmStart);
-
-/// Sets which sample of each pixel is next, and its weight in the mean of those so far.
-void configureSample(gpu::ViewBlock& view, int sample, PixelFilter filter);
-
-/// Position of a sample within its pixel: the R2 low-discrepancy sequence, sample 0 at the centre. Gaussian samples
-/// (sigma half a pixel) may lie outside 0 to 1.
-glm::vec2 subPixelPosition(int sample, PixelFilter filter);
 
 /// Tiles of at most `mostPixels` that cover an image, row after row.
 std::vector<Tile> tilesOf(const glm::ivec2& imageSize, std::size_t mostPixels);

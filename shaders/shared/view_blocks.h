@@ -84,7 +84,7 @@ struct FilmPixel {
     vec3 depth;
     float opticalLength;
     vec3 throughput;     // of the background behind
-    float pad;
+    float halfLuminance; // mean over those samples that are in the first of two halves
     vec3 normal;         // of the opaque surface at the ray's end, or 0
     float normalPad;
 };
@@ -115,7 +115,7 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
     ivec2 tileSize;
     vec2 subPixel;            // sample position within each pixel, 0 to 1
     float exposureScale;
-    uint sampleIndex;
+    uint isFirstRound;        // 1: the ray through each pixel's centre
     float sampleWeight;       // of this sample in the mean of those so far
     uint filmStart;           // pixels of the film before the tile's
     vec4 ambient[6];          // cosine-weighted mean radiance about +X, -X, +Y, -Y, +Z, -Z
@@ -127,7 +127,11 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
     uint bandChannel;         // of the ray's radiance: the one that the band is about, or kAllChannels
     uint mostGenerations;     // of reflections that are followed
     float leastReflected;     // throughput below which a reflection is seen in the environment
-    vec2 reflectionPad;
+    vec2 lensSequence;        // place of the sample in the sequence of the lens, 0 to 1
+    float lensRadius;         // [scene units]; 0: through its middle
+    float focusDistance;      // of the plane in focus, along cameraForward [scene units]
+    float halfWeight;         // of this sample in the mean of those in the first half so far, 0 if it is in the other
+    uint lensHalf;            // the half that it is in
 };
 
 #ifdef __cplusplus
@@ -136,7 +140,7 @@ static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, depth) == 32 && 
 static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 80);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
-static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && sizeof(ViewBlock) == 336);
+static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && sizeof(ViewBlock) == 352);
 
 } // namespace eikonal::gpu
 #endif

@@ -1,5 +1,5 @@
 // Adds a sample of every pixel to the film, and the tile's counts to the statistics. Everything but radiance is taken from
-// the ray through the pixel's centre, sample 0, at the reference wavelength.
+// the first ray, through the pixel's centre, at the reference wavelength.
 #include "viewer/ray_states.glsl"
 
 layout(local_size_x = kRaysPerGroup) in;
@@ -31,10 +31,16 @@ vec3 colourOf(RayState ray) {
 #endif
 }
 
+// Of linear Rec.709.
+float luminance(vec3 colour) {
+    return dot(colour, vec3(0.2126, 0.7152, 0.0722));
+}
+
 void develop(uint index, RayState ray) {
     FilmPixel pixel = film[filmStart + index];
-    if (sampleIndex == 0u && isReferencePass()) {
+    if (isFirstRound != 0u && isReferencePass()) {
         pixel.radiance = vec3(0.0);
+        pixel.halfLuminance = 0.0;
         pixel.exitDirection = unitDirection(ray);
         pixel.steps = ray.evaluations > 0u ? float(ray.evaluations - 1u + ray.lookUps) : 0.0;
         pixel.depth = ray.depth;
@@ -44,8 +50,10 @@ void develop(uint index, RayState ray) {
         pixel.normal = ray.crossingNormal;
     }
     // The reference pass begins a sample: it takes the new sample's share out of the mean of those before.
-    vec3 before = isReferencePass() ? pixel.radiance : vec3(0.0);
-    pixel.radiance += sampleWeight * (colourOf(ray) - before);
+    bool begins = isReferencePass();
+    vec3 colour = colourOf(ray);
+    pixel.radiance += sampleWeight * (colour - (begins ? pixel.radiance : vec3(0.0)));
+    pixel.halfLuminance += halfWeight * (luminance(colour) - (begins ? pixel.halfLuminance : 0.0));
     film[filmStart + index] = pixel;
 }
 

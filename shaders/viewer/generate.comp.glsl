@@ -2,6 +2,10 @@
 #include "viewer/ray_states.glsl"
 #include "fields/fields.glsl"
 #include "physics/box.glsl"
+#ifdef LENS
+#include "physics/lens.glsl"
+#include "viewer/lens.glsl"
+#endif
 
 layout(local_size_x = kRaysPerGroup) in;
 
@@ -63,9 +67,17 @@ RayState initialRay(uint index) {
 #ifdef RAYS_GIVEN
     return rayAt(given[index].origin, given[index].direction);
 #else
-    vec2 position = vec2(tileOrigin + tilePixel(index)) + subPixel;
-    vec2 screen = 2.0 * position / vec2(imageSize) - 1.0;
-    return rayAt(cameraPosition, normalize(cameraForward + cameraRight * screen.x - cameraUp * screen.y));
+    ivec2 pixel = tileOrigin + tilePixel(index);
+    vec2 screen = 2.0 * (vec2(pixel) + subPixel) / vec2(imageSize) - 1.0;
+    vec3 through = cameraForward + cameraRight * screen.x - cameraUp * screen.y;
+#ifdef LENS
+    vec2 place = lensPlace(pixel);
+    vec3 offset = place.x * normalize(cameraRight) + place.y * normalize(cameraUp);
+    LensRay ray = thinLensRay(cameraPosition, through, focusDistance, offset);
+    return rayAt(ray.origin, ray.direction);
+#else
+    return rayAt(cameraPosition, normalize(through));
+#endif
 #endif
 }
 

@@ -213,8 +213,8 @@ TEST(RenderCommand, StatisticsHoldTheDocumentedKeys) {
         runEikonal({"render", scene, "-o", folder.file("a.png"), "--stats", folder.file("a.json")});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const json statistics = json::parse(readText(folder.file("a.json")));
-    for (const char* key : {"seconds", "rays", "steps", "field_evaluations", "effects", "device", "memory_bytes",
-                            "textures", "error_estimate"}) {
+    for (const char* key : {"seconds", "rays", "samples", "noise", "steps", "field_evaluations", "effects", "device",
+                            "memory_bytes", "textures", "error_estimate"}) {
         EXPECT_TRUE(statistics.contains(key)) << key;
     }
     EXPECT_EQ(statistics["rays"], 32 * 24);

@@ -37,14 +37,16 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, lightScale), EIKONAL_MEMBER(gpu::ViewBlock, opaqueOffset),
         EIKONAL_MEMBER(gpu::ViewBlock, imageSize), EIKONAL_MEMBER(gpu::ViewBlock, tileOrigin),
         EIKONAL_MEMBER(gpu::ViewBlock, tileSize), EIKONAL_MEMBER(gpu::ViewBlock, subPixel),
-        EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, sampleIndex),
+        EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, isFirstRound),
         EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, filmStart),
         {"ambient[0]", offsetof(gpu::ViewBlock, ambient)},
         EIKONAL_MEMBER(gpu::ViewBlock, contentMin), EIKONAL_MEMBER(gpu::ViewBlock, negligibleGradient),
         EIKONAL_MEMBER(gpu::ViewBlock, contentMax), EIKONAL_MEMBER(gpu::ViewBlock, dispersedAtStart),
         EIKONAL_MEMBER(gpu::ViewBlock, bandToRgb), EIKONAL_MEMBER(gpu::ViewBlock, bandChannel),
         EIKONAL_MEMBER(gpu::ViewBlock, mostGenerations), EIKONAL_MEMBER(gpu::ViewBlock, leastReflected),
-        EIKONAL_MEMBER(gpu::ViewBlock, reflectionPad),
+        EIKONAL_MEMBER(gpu::ViewBlock, lensSequence), EIKONAL_MEMBER(gpu::ViewBlock, lensRadius),
+        EIKONAL_MEMBER(gpu::ViewBlock, focusDistance), EIKONAL_MEMBER(gpu::ViewBlock, halfWeight),
+        EIKONAL_MEMBER(gpu::ViewBlock, lensHalf),
     };
 }
 
@@ -62,7 +64,7 @@ test::Members filmPixelMembers() {
         EIKONAL_MEMBER(gpu::FilmPixel, radiance), EIKONAL_MEMBER(gpu::FilmPixel, steps),
         EIKONAL_MEMBER(gpu::FilmPixel, exitDirection), EIKONAL_MEMBER(gpu::FilmPixel, entryDistance),
         EIKONAL_MEMBER(gpu::FilmPixel, depth), EIKONAL_MEMBER(gpu::FilmPixel, opticalLength),
-        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, pad),
+        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, halfLuminance),
         EIKONAL_MEMBER(gpu::FilmPixel, normal), EIKONAL_MEMBER(gpu::FilmPixel, normalPad)
     };
 }

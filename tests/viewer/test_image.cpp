@@ -22,7 +22,7 @@ void expectSameChannels(const RenderResult& a, const RenderResult& b) {
 /// Samples of the whole frame, in portions of so many rays.
 void complete(ProgressiveImage& image, const Scene& scene, std::size_t portion) {
     image.setFrame(scene.render.size, {{0, 0}, scene.render.size});
-    while (image.samples() < scene.render.samples) image.addRays(portion);
+    while (image.rounds() < scene.render.samples) image.addRays(portion);
 }
 
 TEST(ProgressiveImage, EqualsTheStillAfterAnyHistory) {
@@ -37,10 +37,13 @@ TEST(ProgressiveImage, EqualsTheStillAfterAnyHistory) {
     ProgressiveImage image(test::sharedContext(), other, fields, effects, nullptr, {.tileRays = 50});
     image.setStep(2.0);
     complete(image, other, 20);
+    other.camera.aperture = 0.3;
+    image.setCamera(other.camera);
+    complete(image, other, 40);
     image.setStep(0.75);
     image.setCamera(scene.camera);
     complete(image, scene, 13);
-    EXPECT_DOUBLE_EQ(image.sampleProgress(), 0.0);
+    EXPECT_DOUBLE_EQ(image.roundProgress(), 0.0);
     expectSameChannels(readImage(image), still);
 }
 

@@ -44,6 +44,7 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/reflect.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
+        rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"LENS"}));
     }
     for (const char* integrator : {"INTEGRATOR_EULER", "INTEGRATOR_RK4", "INTEGRATOR_SHARMA"}) {
         rows.push_back(test::variant("viewer/march.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));

@@ -11,6 +11,7 @@
 #include "viewer/clearance.h"
 #include "viewer/generate.h"
 #include "viewer/march.h"
+#include "viewer/sampling.h"
 #include "viewer/view.h"
 
 namespace eikonal::bench {
@@ -38,7 +39,7 @@ public:
         : effects_(refractionOnly(decideEffects(scene, fields))), fields_(context, fields, effects_),
           clearance_(context, fields, effects_, {.tolerance = scene.accuracy.tolerance}),
           batch_(context, std::size_t(scene.render.size.x) * std::size_t(scene.render.size.y)),
-          generate_(context, fields_.defines(), viewer::Generate::Source::kCamera),
+          generate_(context, fields_.defines(), viewer::Generate::Source::kPinhole),
           stepping_(context, fields_.defines(), {stepVoxelsOf(scene.accuracy)}, fields.lattice),
           flying_(context, withFlights(), {stepVoxelsOf(scene.accuracy)}, fields.lattice),
           fetching_(context, "bench/dependent_fetch.comp.glsl", fields_.defines()),
@@ -46,7 +47,7 @@ public:
                                              stepVoxelsOf(scene.accuracy)))) {
         viewer::configureCamera(batch_.view, deviceFromWorld(fields.lattice, scene.camera), scene.render.size);
         viewer::configureTile(batch_.view, {{0, 0}, scene.render.size}, 0);
-        viewer::configureSample(batch_.view, 0, viewer::PixelFilter::kBox);
+        viewer::configureRound(batch_.view, 0, {});
         clearance_.configure(batch_.view);
         fields_.bind();
         clearance_.bind();

@@ -32,7 +32,7 @@ void note(const std::string& key, const Scene& after, Redo& redo) {
     } else if (startsWith(key, "environment.")) {
         redo.image = true;
         redo.light = redo.light || after.environment.bake || key == "environment.bake";
-    } else if (key == "render.samples" || key == "render.tone_map") {
+    } else if (startsWith(key, "render.") && key != "render.effects") {
         redo.image = true;
     } else if (startsWith(key, "domain.") || startsWith(key, "medium.") || startsWith(key, "object.")) {
         redo.fields = true;

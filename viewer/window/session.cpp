@@ -97,16 +97,16 @@ void Session::begin(const Detail& detail) {
 
 bool Session::followRays(double seconds) {
     const auto start = Clock::now();
-    const int before = image_.samples();
+    const int before = image_.rounds();
     double used = 0.0;
-    while (image_.samples() == before && used < seconds) {
+    while (image_.rounds() == before && used < seconds) {
         const std::size_t rays = image_.addRays(governor_.raysWithin(seconds - used, current_.fine));
         glFinish();  // what rays cost is known when they are done
         const double now = secondsSince(start);
         governor_.measured(rays, current_.fine, now - used);
         used = now;
     }
-    return image_.samples() > before;
+    return image_.rounds() > before;
 }
 
 void Session::paint() {

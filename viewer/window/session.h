@@ -32,7 +32,7 @@ public:
     bool hasWork(bool lightComes) const;
 
     /// Whether the picture has every pixel and all samples of the scene.
-    bool isRefined() const { return !changed_ && current_.fine && image_.samples() >= samples_; }
+    bool isRefined() const { return !changed_ && current_.fine && image_.isComplete(); }
     const gpu::Texture2D* picture() const { return picture_ ? &*picture_ : nullptr; }
     const Detail& shown() const { return shown_; }
     int samples() const { return image_.samples(); }

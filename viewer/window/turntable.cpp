@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "common/gpu/context.h"
-#include "common/scene_toml.h"
 #include "lightsim/bake.h"
 #include "viewer/image_file.h"
 #include "viewer/window/document.h"
@@ -37,7 +36,7 @@ void writeTurntable(const TurntableOptions& options) {
         const auto progress = [&](double fraction) { options.progress("rendering", (frame + fraction) / options.frames); };
         const RenderResult result = renderFrame(image, scene.render, progress);
         context.throwIfError();
-        writeRendered(options.nameOf(frame), result, {{"software", options.creator}, {"scene", resolvedToml(scene)}});
+        writeRendered(options.nameOf(frame), result, attributesOf(result, scene, options.creator));
     }
 }
 
