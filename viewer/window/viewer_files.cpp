@@ -90,7 +90,7 @@ void Viewer::saveLight(const std::filesystem::path& file) {
 void Viewer::saveStill() {
     const std::filesystem::path name = freeName("eikonal", {".png", ".exr"});
     const RenderResult image = readImage(session_->image());
-    writeRendered(name.string() + ".exr", image, {{"software", options_.creator}, {"scene", resolvedToml(scene())}});
+    writeRendered(name.string() + ".exr", image, attributesOf(image, scene(), options_.creator));
     writeRendered(name.string() + ".png", image, {});
     options_.print(fmt::format("{0}.png, {0}.exr", name.string()));
     say(fmt::format("saved {0}.png and {0}.exr", name.string()), false);
