@@ -113,6 +113,9 @@ LightSimulator::Device& LightSimulator::deviceFor(int bands, const Fields& field
     } else if (&fields != &fields_) {
         device_->fields = GpuFields(context_, fields, effects);
     }
+    if (&fields != &fields_) {
+        device_->method->setFields(context_, fields);
+    }
     device_->fields.bind();
     device_->method->setLights(context_, grids, settings);
     return *device_;

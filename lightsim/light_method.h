@@ -19,6 +19,8 @@ class LightMethod {
 public:
     virtual ~LightMethod() = default;
 
+    /// The fields from now on, on the lattice of those that it was made for: of another wavelength.
+    virtual void setFields(const gpu::Context&, const Fields&) {}
     /// The lights from now on, and the settings that go with them; slabs aside.
     virtual void setLights(const gpu::Context& context, const LaunchGrids& grids, const BakeSettings& settings) = 0;
     /// Voxel layers of a slab; at least 1.

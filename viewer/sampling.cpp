@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <numbers>
 
 #include "viewer/pixel_filter.h"
@@ -30,7 +31,7 @@ int sampleOfRound(int round, const Sampling& sampling) {
 
 void configureRound(gpu::ViewBlock& view, int round, const Sampling& sampling) {
     const int sample = sampleOfRound(round, sampling);
-    view.isFirstRound = round == 0 ? 1u : 0u;
+    view.roundIndex = std::uint32_t(round);
     view.sampleWeight = 1.0f / float(sample + 1);
     view.halfWeight = isInHalf(sample) ? 1.0f / float(samplesInHalf(sample + 1)) : 0.0f;
     view.subPixel = subPixelPosition(sample, sampling.filter, sampling.filterWidth);

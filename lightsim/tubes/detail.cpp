@@ -71,13 +71,16 @@ DenseGrid<unsigned char> distanceToDetail(const Fields& fields) {
     return distance;
 }
 
-std::optional<gpu::Texture3D> detailTexture(const gpu::Context& context, const DenseGrid<unsigned char>& distance) {
-    if (std::all_of(distance.values.begin(), distance.values.end(), [](unsigned char bricks) { return bricks == 255; })) {
-        return std::nullopt;
-    }
+gpu::Texture3D detailTexture(const gpu::Context& context, const Fields& fields) {
+    const auto distance = distanceToDetail(fields);
     gpu::Texture3D texture(context, gpu::TexelFormat::kR8, distance.size, "detail");
     texture.upload(distance.values.data());
     return texture;
+}
+
+bool holdDetail(const Fields& fields) {
+    const auto distance = distanceToDetail(fields);
+    return std::any_of(distance.values.begin(), distance.values.end(), [](unsigned char bricks) { return bricks < 255; });
 }
 
 } // namespace eikonal::bake

@@ -1,8 +1,6 @@
 #pragma once
 // Where the fields hold detail that rays which lie voxels apart could pass without seeing it.
 
-#include <optional>
-
 #include "common/fields.h"
 #include "common/gpu/objects.h"
 
@@ -13,7 +11,9 @@ namespace eikonal::bake {
 /// where they say: the gradient of the index, optical depth, opaque matter. A lens whose index is smooth has none.
 DenseGrid<unsigned char> distanceToDetail(const Fields& fields);
 
-/// The same as a texture of normalised bytes; nothing where there is no detail.
-std::optional<gpu::Texture3D> detailTexture(const gpu::Context& context, const DenseGrid<unsigned char>& distance);
+/// The same as a texture of normalised bytes.
+gpu::Texture3D detailTexture(const gpu::Context& context, const Fields& fields);
+
+bool holdDetail(const Fields& fields);
 
 } // namespace eikonal::bake

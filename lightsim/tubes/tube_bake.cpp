@@ -38,13 +38,19 @@ TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const Ba
     : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(options.tubeVertices),
       layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)),
       followsReflections_(plan.accuracy.reflections > 0 && hasBoundaries(plan)),
-      detail_(detailTexture(context, distanceToDetail(plan.fields))),
+      detail_(holdDetail(plan.fields) ? std::optional(detailTexture(context, plan.fields)) : std::nullopt),
       kernels_(context, definesFor(plan, followsReflections_, detail_.has_value()), capacity_, followsReflections_),
       sums_(context, plan.fields.lattice, layers_, plan.bands) {
     if (options.eikonal) {
         eikonal_.emplace(context, definesFor(plan, followsReflections_, detail_.has_value()), plan.fields.lattice, layers_);
     }
     setLights(context, grids, settings);
+}
+
+void TubeBake::setFields(const gpu::Context& context, const Fields& fields) {
+    if (detail_) {
+        detail_ = detailTexture(context, fields);
+    }
 }
 
 void TubeBake::setLights(const gpu::Context& context, const LaunchGrids& grids, const BakeSettings& settings) {

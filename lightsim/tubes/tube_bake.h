@@ -22,6 +22,7 @@ public:
     TubeBake(const gpu::Context& context, const MethodPlan& plan, const BakeOptions& options, const LaunchGrids& grids,
              const BakeSettings& settings);
 
+    void setFields(const gpu::Context& context, const Fields& fields) override;
     void setLights(const gpu::Context& context, const LaunchGrids& grids, const BakeSettings& settings) override;
     int layers() const override { return layers_; }
     void propagate(int begin, int end, const std::function<void(double)>& progress) override;

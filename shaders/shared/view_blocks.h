@@ -115,7 +115,7 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
     ivec2 tileSize;
     vec2 subPixel;            // sample position within each pixel, 0 to 1
     float exposureScale;
-    uint isFirstRound;        // 1: the ray through each pixel's centre
+    uint roundIndex;          // 0: the ray through each pixel's centre
     float sampleWeight;       // of this sample in the mean of those so far
     uint filmStart;           // pixels of the film before the tile's
     vec4 ambient[6];          // cosine-weighted mean radiance about +X, -X, +Y, -Y, +Z, -Z

@@ -38,7 +38,7 @@ float luminance(vec3 colour) {
 
 void develop(uint index, RayState ray) {
     FilmPixel pixel = film[filmStart + index];
-    if (isFirstRound != 0u && isReferencePass()) {
+    if (roundIndex == 0u && isReferencePass()) {
         pixel.radiance = vec3(0.0);
         pixel.halfLuminance = 0.0;
         pixel.exitDirection = unitDirection(ray);

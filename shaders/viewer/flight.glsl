@@ -55,7 +55,9 @@ float passAhead(inout RayState ray, vec3 direction, float ds, float even) {
         passMatter(ray, ray.x + direction * (0.5 * passed), direction, ray.n, passed);
         return passed;
     }
-    int count = max(int(ceil(ds / (MATTER_VOXELS * domainVoxel))), 1);
+    // flights go a little beyond bricks: samples stay a voxel apart, in step with the lattice
+    const float kSlack = 0.01;
+    int count = max(int(ceil(ds / (MATTER_VOXELS * domainVoxel) - kSlack)), 1);
     float piece = ds / float(count);
     int samples = min(count, kSamplesPerFlight);
     for (int i = 0; i < samples; ++i) {

@@ -9,13 +9,14 @@ uvec3 pcg3d(uvec3 v) {
     return v + v.yzx * v.zxy;
 }
 
-// For the pixel's next facet, by sample a sequence of low discrepancy (viewer/view.cpp) that starts anywhere.
+// For the pixel's next facet, by rounds a sequence of low discrepancy that starts anywhere, independent of those of the pixel and
+// the lens (viewer/sampling.cpp).
 vec2 nextUniform(uint index) {
     uint facet = reflections[index].facets;
     reflections[index].facets = facet + 1u;
     uvec2 start = pcg3d(uvec3(uvec2(tileOrigin + tilePixel(index)), facet)).xy >> 8u;
-    const vec2 kStep = vec2(0.7548776662466927, 0.5698402909980532);
-    return fract(vec2(start) / 16777216.0 + fract(float(sampleIndex) * kStep));
+    const vec2 kStep = vec2(0.2360679774997897, 0.6457513110645906);  // of the roots of 5 and 7
+    return fract(vec2(start) / 16777216.0 + fract(float(roundIndex) * kStep));
 }
 
 BoundarySplit roughSplit(Crossing crossing, vec3 w, float nEnd, float roughness) {

@@ -150,7 +150,7 @@ TEST(BenchAccuracyIrradiance, TubesKeepEnergyAndFollowTheirToleranceAndPeaksDoNo
         const auto tubes = curveOf(rows, curve, "auto"), peaks = curveOf(rows, curve, "peak (2007)");
         ASSERT_EQ(tubes.size(), 2u);
         ASSERT_EQ(peaks.size(), 2u);
-        EXPECT_LT(tubes.back().error, tubes.front().error) << scene;
+        EXPECT_LE(tubes.back().error, tubes.front().error) << scene;  // the same in vacuum, where nothing is refined
         EXPECT_LT(tubes.back().energy, 0.01) << scene;  // power × length is handed out, whatever becomes of its place
         EXPECT_GT(peaks.back().energy, 0.03) << scene;  // the brightest point of a voxel says nothing of its mean
         const auto least = std::min_element(peaks.begin(), peaks.end(),

@@ -37,7 +37,7 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, lightScale), EIKONAL_MEMBER(gpu::ViewBlock, opaqueOffset),
         EIKONAL_MEMBER(gpu::ViewBlock, imageSize), EIKONAL_MEMBER(gpu::ViewBlock, tileOrigin),
         EIKONAL_MEMBER(gpu::ViewBlock, tileSize), EIKONAL_MEMBER(gpu::ViewBlock, subPixel),
-        EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, isFirstRound),
+        EIKONAL_MEMBER(gpu::ViewBlock, exposureScale), EIKONAL_MEMBER(gpu::ViewBlock, roundIndex),
         EIKONAL_MEMBER(gpu::ViewBlock, sampleWeight), EIKONAL_MEMBER(gpu::ViewBlock, filmStart),
         {"ambient[0]", offsetof(gpu::ViewBlock, ambient)},
         EIKONAL_MEMBER(gpu::ViewBlock, contentMin), EIKONAL_MEMBER(gpu::ViewBlock, negligibleGradient),

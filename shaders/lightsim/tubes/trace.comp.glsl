@@ -55,13 +55,15 @@ vec3 shareLeft(Particle ray) {
 }
 
 // Whether a step may not be joined with the one before it to a longer one. A turn by the angle a in each of three steps of a
-// voxel leaves their chord 9/8 a voxels off: less than middles may deviate. A share that falls by less than a tenth falls as
-// an exponential all along.
+// voxel leaves their chord 9/8 a voxels off: less than middles may deviate. In one medium a share that falls by less than a
+// tenth falls as an exponential all along; where the index changes, matter may too.
 bool isBent(Particle before, Particle after) {
     const float kMostTurn = 0.06;
     const float kSameShare = 0.1;
+    const float kSameShareInTurn = 0.01;
     vec3 left = shareLeft(before);
-    bool changed = largestOf(left - shareLeft(after)) > kSameShare * largestOf(left);
+    float mostLoss = after.w == before.w ? kSameShare : kSameShareInTurn;
+    bool changed = largestOf(left - shareLeft(after)) > mostLoss * largestOf(left);
     return length(after.w - before.w) > kMostTurn * length(before.w) || after.status != before.status || changed;
 }
 
