@@ -1,5 +1,5 @@
 // Sort, second part: cells that are even as a whole get the volumes that quadratics through their node give, and their parts
-// are listed for the gather. Where the map is too rough for quadratics, only the most even are gathered.
+// are listed for the gather.
 #include "lightsim/tubes/sort.glsl"
 #include "lightsim/tubes/tracks.glsl"
 #include "lightsim/tubes/volumes.glsl"
@@ -15,12 +15,7 @@ void main() {
     Part part = unpackedPart(parts[TUBE_EVEN_LIST * TUBE_LIST_PARTS + gl_GlobalInvocationID.x]);
     TubeJob job = jobs[part.cell / 4u];
     TubeNode node = nodes[job.node];
-    Trilinear map = mapOf(cells[part.cell].corners);
-    vec4 volumes[2] = volumesOf(node, map, part.cell % 4u, frontOf(node, firstStepOf(job)), frontOf(node, lastStepOf(job)));
-    cells[part.cell].volumes = volumes;
-    if (volumes[0].x != TUBE_OWN_VOLUME || isGathered(map, unevennessOf(map), kRough)) {
-        listParts(TUBE_GATHER_LIST, part.cell, findMSB(part.cuts));
-    } else {
-        listUneven(part.cell, isWeak(job), lengthsOf(map));
-    }
+    cells[part.cell].volumes = volumesOf(node, mapOf(cells[part.cell].corners), part.cell % 4u,
+                                         frontOf(node, firstStepOf(job)), frontOf(node, lastStepOf(job)));
+    listParts(TUBE_GATHER_LIST, part.cell, findMSB(part.cuts));
 }

@@ -17,9 +17,6 @@ const float kLongestPart = 3.0;     // [voxels]: bounds the voxels that a gather
 const float kLongestPoints = 1.0;   // [voxels]: uneven cells are cut to that, so that their even parts can be gathered
 const int kMostLogCuts = 3;         // along each axis
 const float kFolded = 1.0e9;        // unevenness where the map turns inside out
-// Of the unevenness that a gather may have: where quadratics hold, and elsewhere.
-const float kSmooth = 1.0;
-const float kRough = 0.25;
 // Of the volume that a sample stands for: parts smaller than that are points, whatever their irradiance does, so that no
 // sample can be worth many times what its part carries.
 const float kLeastVolume = 1.0 / 64.0;
@@ -76,10 +73,10 @@ vec3 unevennessOf(Trilinear map) {
     return log(ratio) * spacing / max(thickness, vec3(1.0e-9));
 }
 
-bool isGathered(Trilinear map, vec3 unevenness, float portion) {
+bool isGathered(Trilinear map, vec3 unevenness) {
     float spacing = 1.0 / float(tube.samplesPerVoxel);
     float volume = abs(determinant(derivativesIn(map, vec3(0.5))));
-    return largestOf(unevenness) < portion * tube.maxUnevenness &&
+    return largestOf(unevenness) < tube.maxUnevenness &&
            volume > kLeastVolume * spacing * spacing * spacing;
 }
 

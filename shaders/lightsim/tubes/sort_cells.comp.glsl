@@ -126,7 +126,7 @@ void main() {
     if (unevenness.x >= kFolded) {
         atomicAdd(header.foldedCells, 1u);
     }
-    if (isGathered(map, unevenness, kSmooth)) {
+    if (isGathered(map, unevenness)) {
         listPart(TUBE_EVEN_LIST, packedPart(self, logCutsOf(extents, true), ivec3(0)));
     } else {
         listUneven(self, isWeak(job), extents);
