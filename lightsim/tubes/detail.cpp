@@ -71,16 +71,15 @@ DenseGrid<unsigned char> distanceToDetail(const Fields& fields) {
     return distance;
 }
 
-gpu::Texture3D detailTexture(const gpu::Context& context, const Fields& fields) {
-    const auto distance = distanceToDetail(fields);
+gpu::Texture3D detailTexture(const gpu::Context& context, const DenseGrid<unsigned char>& distance) {
     gpu::Texture3D texture(context, gpu::TexelFormat::kR8, distance.size, "detail");
     texture.upload(distance.values.data());
     return texture;
 }
 
-bool holdDetail(const Fields& fields) {
-    const auto distance = distanceToDetail(fields);
-    return std::any_of(distance.values.begin(), distance.values.end(), [](unsigned char bricks) { return bricks < 255; });
+bool isAnywhere(const DenseGrid<unsigned char>& distanceToDetail) {
+    const auto& bricks = distanceToDetail.values;
+    return std::any_of(bricks.begin(), bricks.end(), [](unsigned char distance) { return distance < 255; });
 }
 
 } // namespace eikonal::bake

@@ -12,8 +12,9 @@ namespace eikonal::bake {
 DenseGrid<unsigned char> distanceToDetail(const Fields& fields);
 
 /// The same as a texture of normalised bytes.
-gpu::Texture3D detailTexture(const gpu::Context& context, const Fields& fields);
+gpu::Texture3D detailTexture(const gpu::Context& context, const DenseGrid<unsigned char>& distance);
 
-bool holdDetail(const Fields& fields);
+/// Whether there is any.
+bool isAnywhere(const DenseGrid<unsigned char>& distanceToDetail);
 
 } // namespace eikonal::bake

@@ -31,6 +31,11 @@ std::vector<std::string> definesFor(const MethodPlan& plan, bool followsReflecti
     return defines;
 }
 
+std::optional<gpu::Texture3D> detailOf(const gpu::Context& context, const Fields& fields) {
+    const DenseGrid<unsigned char> distance = distanceToDetail(fields);
+    return isAnywhere(distance) ? std::optional(detailTexture(context, distance)) : std::nullopt;
+}
+
 } // namespace
 
 TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const BakeOptions& options, const LaunchGrids& grids,
@@ -38,7 +43,7 @@ TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const Ba
     : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(options.tubeVertices),
       layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)),
       followsReflections_(plan.accuracy.reflections > 0 && hasBoundaries(plan)),
-      detail_(holdDetail(plan.fields) ? std::optional(detailTexture(context, plan.fields)) : std::nullopt),
+      detail_(detailOf(context, plan.fields)),
       kernels_(context, definesFor(plan, followsReflections_, detail_.has_value()), capacity_, followsReflections_),
       sums_(context, plan.fields.lattice, layers_, plan.bands) {
     if (options.eikonal) {
@@ -49,7 +54,7 @@ TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const Ba
 
 void TubeBake::setFields(const gpu::Context& context, const Fields& fields) {
     if (detail_) {
-        detail_ = detailTexture(context, fields);
+        detail_ = detailTexture(context, distanceToDetail(fields));
     }
 }
 

@@ -16,9 +16,9 @@ const int kUnitLightDirection = 7;  // flux vector over scalar irradiance in rgb
 const int kUnitEnvironment = 8;     // latitude-longitude radiance in rgb (viewer)
 const int kUnitLobes = 9;           // lobes of voxels that have several, a row of texels each (viewer)
 const int kUnitClearance = 10;      // bricks to the next that bends rays in red, with uneven matter in green (viewer)
-const int kUnitDetail = 13;         // bricks to the next that rays voxels apart may pass unseen (light simulator)
 const int kUnitDispersion = 11;     // grad B in rgb [micrometres^2 / scene unit], Cauchy's B in alpha [micrometres^2]
 const int kUnitSurface = 12;        // of boundaries: factor on what they reflect in rgb, roughness in alpha (viewer)
+const int kUnitDetail = 13;         // bricks to the next that rays voxels apart may pass unseen (light simulator)
 
 // Table of lobes: a row is a voxel's three, the strongest first, each irradiance and flux vector over it; so many rows lie
 // side by side.

@@ -14,31 +14,9 @@ layout(std430, binding = kStorageGiven) readonly buffer Given { GivenRay given[]
 #endif
 
 RayState rayAt(vec3 origin, vec3 direction) {
-    RayState ray;
-    ray.x = origin;
-    ray.pathLength = 0.0;
-    ray.w = direction;
-    ray.opticalLength = 0.0;
-    ray.depth = vec3(0.0);
-    ray.evaluations = 0u;
-    ray.transmittance = vec3(1.0);
+    RayState ray = newRay(origin, direction);
     ray.status = kMissed;
-    ray.radiance = vec3(0.0);
-    ray.throughputS = 1.0;
-    ray.crossingNormal = vec3(0.0);
-    ray.throughputP = 1.0;
-    ray.crossingGradMax = 0.0;
-    ray.crossingStart = 1.0;
-    ray.crossingWTangential = 0.0;
-    ray.crossingSide = 0.0;
-    ray.n = 1.0;
-    ray.nCamera = 1.0;
     ray.entryDistance = uintBitsToFloat(0x7f800000u);
-    ray.lookUps = 0u;
-    ray.lookAgainAt = 0.0;
-    ray.matterSamples = 0u;
-    ray.dispersed = dispersedAtStart;
-    ray.generation = 0u;
     return ray;
 }
 

@@ -22,6 +22,36 @@ bool isFollowed(RayState ray) {
     return isReferencePass() || ray.dispersed != 0u;
 }
 
+// A ray in the domain that has met nothing yet, as if it began in vacuum. `w`: its wave vector.
+RayState newRay(vec3 x, vec3 w) {
+    RayState ray;
+    ray.x = x;
+    ray.pathLength = 0.0;
+    ray.w = w;
+    ray.opticalLength = 0.0;
+    ray.depth = vec3(0.0);
+    ray.evaluations = 0u;
+    ray.transmittance = vec3(1.0);
+    ray.status = kMarching;
+    ray.radiance = vec3(0.0);
+    ray.throughputS = 1.0;
+    ray.crossingNormal = vec3(0.0);
+    ray.throughputP = 1.0;
+    ray.crossingGradMax = 0.0;
+    ray.crossingStart = 1.0;
+    ray.crossingWTangential = 0.0;
+    ray.crossingSide = 0.0;
+    ray.n = 1.0;
+    ray.nCamera = 1.0;
+    ray.entryDistance = 0.0;
+    ray.lookUps = 0u;
+    ray.lookAgainAt = 0.0;
+    ray.matterSamples = 0u;
+    ray.dispersed = dispersedAtStart;
+    ray.generation = 0u;
+    return ray;
+}
+
 vec3 unitDirection(RayState ray) {
     return ray.w / length(ray.w);
 }

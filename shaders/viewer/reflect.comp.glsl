@@ -23,33 +23,21 @@ void gather(uint index, RayState ended) {
     directRays[index].dispersed |= ended.dispersed;
 }
 
-// A ray that stands on its mirror.
+// A ray that stands on its mirror. Its radiance stays basic until the pixel's ray is shaded: nCamera is 1.
 RayState rayFrom(Reflection from, uint dispersed) {
     Optics optics = sampleOptics(from.x);
     Crossing crossing = crossingFromMirror(from.w, optics.n, optics.gradN);
-    RayState ray;
-    ray.x = from.x;
-    ray.pathLength = 0.0;
-    ray.w = from.w;
-    ray.opticalLength = 0.0;
-    ray.depth = vec3(0.0);
+    RayState ray = newRay(from.x, from.w);
     ray.evaluations = 1u;
     ray.transmittance = from.transmittance;
-    ray.status = kMarching;
-    ray.radiance = vec3(0.0);
     ray.throughputS = from.throughputS;
-    ray.crossingNormal = crossing.normal;
     ray.throughputP = from.throughputP;
+    ray.crossingNormal = crossing.normal;
     ray.crossingGradMax = crossing.gradMax;
     ray.crossingStart = crossing.nStart;
     ray.crossingWTangential = crossing.wTangential;
     ray.crossingSide = crossing.sideAtStart;
     ray.n = optics.n;
-    ray.nCamera = 1.0;  // radiance stays basic until the pixel's ray is shaded
-    ray.entryDistance = 0.0;
-    ray.lookUps = 0u;
-    ray.lookAgainAt = 0.0;
-    ray.matterSamples = 0u;
     ray.dispersed = dispersed;
     ray.generation = from.generation;
     return ray;
