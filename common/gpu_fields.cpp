@@ -70,8 +70,26 @@ gpu::Texture3D splineTexture(const gpu::Context& context, const DenseGrid<float>
 
 } // namespace
 
+namespace {
+
+bool isZero(const DenseGrid<float>& grid) {
+    return std::all_of(grid.values.begin(), grid.values.end(), [](float value) { return value == 0.0f; });
+}
+
+gpu::Texture3D greyTexture(const gpu::Context& context, const DenseGrid<glm::vec3>& grid, std::string_view label) {
+    gpu::Texture3D texture(context, gpu::TexelFormat::kR32f, grid.size, label);
+    std::vector<float> texels(grid.values.size());
+    std::transform(grid.values.begin(), grid.values.end(), texels.begin(), [](const glm::vec3& value) { return value.x; });
+    texture.upload(texels.data());
+    texture.showGrey();
+    return texture;
+}
+
+} // namespace
+
 gpu::Texture3D colourTexture(const gpu::Context& context, const DenseGrid<glm::vec3>& grid,
                              const DenseGrid<float>& alpha, std::string_view label) {
+    if (isGrey(grid) && isZero(alpha)) return greyTexture(context, grid, label);
     gpu::Texture3D texture(context, gpu::TexelFormat::kRgba32f, grid.size, label);
     std::vector<glm::vec4> texels(grid.values.size());
     for (std::size_t i = 0; i < texels.size(); ++i) {
@@ -112,6 +130,7 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
     }
     add(Effect::kAbsorption, gpu::kUnitSigmaA, "sigma_a", fields.sigmaA, {});
     add(Effect::kScattering, gpu::kUnitSigmaS, "sigma_s", fields.sigmaS, fields.anisotropy);
+    if (effects.has(Effect::kScattering) && isZero(fields.anisotropy)) defines_.push_back("ISOTROPIC_SCATTERING");
     add(Effect::kEmission, gpu::kUnitEmission, "emission", fields.emission, {});
     add(Effect::kOpaque, gpu::kUnitOpaque, "opaque", fields.albedo, fields.opaque);
 }

@@ -3,7 +3,7 @@
 namespace eikonal::viewer {
 
 Accumulate::Accumulate(const gpu::Context& context, const std::vector<std::string>& defines)
-    : kernel_(context, "viewer/accumulate.comp.glsl", defines), film_(context, 0, "film"),
+    : kernel_(context, "viewer/accumulate.comp.glsl", defines), count_(context, "viewer/count.comp.glsl", defines), film_(context, 0, "film"),
       counters_(context, 8 * sizeof(std::uint32_t), "ray counts") {
     counters_.fill(0);
 }
@@ -16,6 +16,12 @@ void Accumulate::reserve(const gpu::Context& context, std::size_t pixels) {
 void Accumulate::bind() const {
     film_.bindStorage(gpu::kStorageFilm);
     counters_.bindStorage(gpu::kStorageCounters);
+}
+
+void Accumulate::run(const RayBatch& batch) const {
+    kernel_.dispatch(batch.groups());
+    constexpr gpu::uint kRaysOfAGroup = gpu::kRaysPerGroup * gpu::kRaysPerCount;
+    count_.dispatch({(batch.view.rayCount + kRaysOfAGroup - 1) / kRaysOfAGroup, 1, 1});
 }
 
 gpu::FilmPixel Accumulate::pixel(std::size_t index) const {

@@ -25,7 +25,7 @@ public:
     void bind() const;
     /// For kernels that compare another film with the one that is bound.
     void bindAsCompared() const { film_.bindStorage(gpu::kStorageComparedFilm); }
-    void run(const RayBatch& batch) const { kernel_.dispatch(batch.groups()); }
+    void run(const RayBatch& batch) const;
     /// The first pixels of the film.
     std::vector<gpu::FilmPixel> film(std::size_t pixels) const { return film_.download<gpu::FilmPixel>(pixels); }
     gpu::FilmPixel pixel(std::size_t index) const;
@@ -33,7 +33,7 @@ public:
     std::size_t filmBytes() const { return film_.bytes(); }
 
 private:
-    gpu::Kernel kernel_;
+    gpu::Kernel kernel_, count_;
     gpu::Buffer film_;
     gpu::Buffer counters_;
 };

@@ -15,4 +15,9 @@ std::vector<std::string> withSource(std::vector<std::string> defines, Generate::
 Generate::Generate(const gpu::Context& context, std::vector<std::string> defines, Source source)
     : kernel_(context, "viewer/generate.comp.glsl", withSource(std::move(defines), source)) {}
 
+void Generate::run(RayBatch& batch) const {
+    batch.clearList(gpu::kPlainRays);
+    kernel_.dispatch(batch.groups());
+}
+
 } // namespace eikonal::viewer

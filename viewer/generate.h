@@ -14,7 +14,8 @@ public:
 
     Generate(const gpu::Context& context, std::vector<std::string> defines, Source source);
 
-    void run(const RayBatch& batch) const { kernel_.dispatch(batch.groups()); }
+    /// Rays that enter the domain are on the list of plain ones.
+    void run(RayBatch& batch) const;
 
 private:
     gpu::Kernel kernel_;

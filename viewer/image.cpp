@@ -52,9 +52,12 @@ bool hasGreyMatter(const Fields& fields) {
     return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
 }
 
-viewer::Generate generateFor(const gpu::Context& context, const GpuFields& fields, const viewer::Sampling& sampling) {
+viewer::Generate generateFor(const gpu::Context& context, const GpuFields& fields,
+                             const std::optional<viewer::Clearance>& clearance, const viewer::Sampling& sampling) {
     using Source = viewer::Generate::Source;
-    return {context, fields.defines(), sampling.hasLens() ? Source::kLens : Source::kPinhole};
+    auto defines = fields.defines();
+    if (clearance) append(defines, clearance->defines());
+    return {context, std::move(defines), sampling.hasLens() ? Source::kLens : Source::kPinhole};
 }
 
 /// How many samples the bands of wavelengths are divided into; 0 where noise decides how many there are.
@@ -72,7 +75,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
       reflections_(reflectionsFor(context, scene, effects, fields_, options)),
       batch_(context, options.tileRays),
-      generate_(generateFor(context, fields_, sampling_)), steps_(stepVoxelsOf(scene.accuracy), 1.0),
+      generate_(generateFor(context, fields_, clearance_, sampling_)), steps_(stepVoxelsOf(scene.accuracy), 1.0),
       integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
@@ -129,7 +132,7 @@ void ProgressiveImage::setCamera(const Camera& camera) {
     camera_ = camera;
     const bool hadLens = sampling_.hasLens();
     sampling_ = viewer::samplingOf(render_, camera);
-    if (sampling_.hasLens() != hadLens) generate_ = generateFor(context_, fields_, sampling_);
+    if (sampling_.hasLens() != hadLens) generate_ = generateFor(context_, fields_, clearance_, sampling_);
     viewer::configureCamera(batch_.view, deviceFromWorld(lattice_, camera), batch_.view.imageSize);
     startOver();
 }
@@ -238,7 +241,7 @@ std::vector<std::pair<std::string, std::size_t>> ProgressiveImage::textures() co
 
 std::size_t ProgressiveImage::bufferBytes() const {
     const std::size_t waiting = reflections_ ? reflections_->bytes() : 0;
-    return batch_.rays.bytes() + waiting + accumulate_.filmBytes() + toneMap_.displayBytes();
+    return batch_.rays.bytes() + batch_.lists.bytes() + waiting + accumulate_.filmBytes() + toneMap_.displayBytes();
 }
 
 } // namespace eikonal

@@ -40,7 +40,7 @@ std::string bandName(const BandIrradiance& band) { return "irradiance_" + std::t
 gpu::Texture3D bandTexture(const gpu::Context& context, const BandIrradiance& band) {
     gpu::Texture3D texture(context, gpu::TexelFormat::kR32f, band.irradiance.size, bandName(band));
     texture.upload(band.irradiance.values.data());
-    texture.showRedInAllChannels();
+    texture.showGrey();
     return texture;
 }
 

@@ -17,6 +17,8 @@ constexpr std::uint32_t kMirrorCorrections = 2;     // of shaders/physics/mirror
 constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
+// Between looks at whether a ray is under way still, for which the device is waited for. Most rays pass a ball in six.
+constexpr std::uint32_t kSlicesAtATime = 8;
 
 double checkedStep(double stepVoxels) {
     if (!(stepVoxels > 0.0) || !std::isfinite(stepVoxels)) {
@@ -80,9 +82,8 @@ March::March(const gpu::Context& context, const std::vector<std::string>& define
       stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
                                                 : kIterationsPerDispatch / iterationsPerStep(defines, samplesPerHalf_)),
       stepLength_(settings.stepVoxels * lattice.voxel),
-      kernel_(context, "viewer/march.comp.glsl", withSteps(defines, settings)),
-      groups_{gpu::Buffer(context, sizeof(glm::uvec3), "march groups"),
-              gpu::Buffer(context, sizeof(glm::uvec3), "march groups")} {}
+      plain_(context, "viewer/march.comp.glsl", withSteps(defines, settings)),
+      eventful_(context, "viewer/event.comp.glsl", withSteps(defines, settings)) {}
 
 void March::configure(gpu::ViewBlock& view) const {
     view.stepLength = float(stepLength_);
@@ -90,22 +91,18 @@ void March::configure(gpu::ViewBlock& view) const {
     view.stepsPerSlice = stepsPerSlice_;
 }
 
-void March::run(const RayBatch& batch) {
-    for (std::uint32_t slice = 0; runSlice(batch, slice); ++slice) {
+void March::run(RayBatch& batch) const {
+    for (std::uint32_t slice = 0; slice < mostSlices(); ++slice) {
+        runSlice(batch, slice);
+        if ((slice + 1) % kSlicesAtATime == 0 && batch.listedCount(gpu::kPlainRays) == 0) return;
     }
 }
 
-bool March::runSlice(const RayBatch& batch, std::uint32_t slice) {
-    gpu::Buffer& next = groups_[(slice + 1) % 2];
-    next.upload(glm::uvec3(0, 1, 1));
-    next.bindStorage(gpu::kStorageMarchGroups);
-    if (slice == 0) {
-        kernel_.dispatch(batch.groups());
-    } else {
-        kernel_.dispatchIndirect(groups_[slice % 2], 0);
-    }
-    // Every step of a ray that goes on is an evaluation or a look-up.
-    return (std::uint64_t(slice) + 1) * stepsPerSlice_ < maxEvaluations_;
+void March::runSlice(RayBatch& batch, std::uint32_t slice) const {
+    const gpu::uint taken = slice % 2 == 0 ? gpu::kPlainRays : gpu::kEventfulRays;
+    const gpu::uint filled = slice % 2 == 0 ? gpu::kEventfulRays : gpu::kPlainRays;
+    batch.clearList(filled);
+    (slice % 2 == 0 ? plain_ : eventful_).dispatchIndirect(batch.lists, taken * sizeof(gpu::RayListHead));
 }
 
 } // namespace eikonal::viewer

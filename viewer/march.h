@@ -1,7 +1,7 @@
 #pragma once
-// Second step: rays through the domain, in slices of bounded length.
+// Second step: rays through the domain, in slices of bounded length. Steps in which something happens are rare, and have a
+// kernel of their own.
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -30,18 +30,20 @@ public:
 
     /// Sets what the kernel reads of the settings.
     void configure(gpu::ViewBlock& view) const;
-    /// Follows all rays to their ends.
-    void run(const RayBatch& batch);
-    /// Follows all rays by one slice, the first being 0; returns false when none can be under way any more.
-    bool runSlice(const RayBatch& batch, std::uint32_t slice);
+    /// Follows the rays that are listed as plain to their ends.
+    void run(RayBatch& batch) const;
+    /// Follows by one slice, the first being 0, the rays that are plain then, and by the next one those for which something
+    /// happens.
+    void runSlice(RayBatch& batch, std::uint32_t slice) const;
+    /// Slices in which every ray comes to its end.
+    std::uint32_t mostSlices() const { return 2 * maxEvaluations_; }
 
 private:
     std::uint32_t samplesPerHalf_;
     std::uint32_t maxEvaluations_;
     std::uint32_t stepsPerSlice_;
     double stepLength_;
-    gpu::Kernel kernel_;
-    std::array<gpu::Buffer, 2> groups_;  ///< of this slice and the next, which ones in turn
+    gpu::Kernel plain_, eventful_;
 };
 
 } // namespace eikonal::viewer

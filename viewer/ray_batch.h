@@ -9,19 +9,35 @@ namespace eikonal::viewer {
 struct RayBatch {
     gpu::ViewBlock view{};
     gpu::Buffer viewBuffer;
-    gpu::Buffer rays;  ///< gpu::RayState
+    gpu::Buffer rays;   ///< gpu::RayState
+    gpu::Buffer lists;  ///< of rays under way (shaders/viewer/ray_lists.glsl)
 
     RayBatch(const gpu::Context& context, std::size_t capacity)
-        : viewBuffer(context, sizeof(gpu::ViewBlock), "view"), rays(context, capacity * sizeof(gpu::RayState), "rays") {}
+        : viewBuffer(context, sizeof(gpu::ViewBlock), "view"), rays(context, capacity * sizeof(gpu::RayState), "rays"),
+          lists(context, gpu::kRayLists * (sizeof(gpu::RayListHead) + capacity * sizeof(gpu::uint)), "ray lists") {
+        for (gpu::uint list = 0; list < gpu::kRayLists; ++list) clearList(list);
+    }
 
-    /// Uploads `view` and binds both buffers.
+    /// Uploads `view` and binds the buffers.
     void bind() {
         viewBuffer.upload(view);
         viewBuffer.bindUniform(gpu::kUniformView);
         rays.bindStorage(gpu::kStorageRays);
+        lists.bindStorage(gpu::kStorageRayLists);
     }
     glm::uvec3 groups() const {
         return {(view.rayCount + gpu::kRaysPerGroup - 1) / gpu::kRaysPerGroup, 1, 1};
+    }
+
+    void clearList(gpu::uint list) {
+        const gpu::RayListHead empty{{0, 1, 1}, 0};
+        lists.uploadBytes(list * sizeof empty, &empty, sizeof empty);
+    }
+    /// Rays on a list; waits for the device.
+    gpu::uint listedCount(gpu::uint list) const {
+        gpu::RayListHead head{};
+        lists.downloadBytes(list * sizeof head, &head, sizeof head);
+        return head.count;
     }
 };
 

@@ -15,8 +15,7 @@ Reflections::Reflections(const gpu::Context& context, const std::vector<std::str
                          const ReflectionRules& rules, std::size_t capacity)
     : rules_(rules), kernel_(context, "viewer/reflect.comp.glsl", defines),
       rays_(context, capacity * sizeof(gpu::RayState), "rays of reflections"),
-      waiting_(context, capacity * sizeof(gpu::PixelReflections), "waiting reflections"),
-      started_(context, sizeof(std::uint32_t), "started reflections") {
+      waiting_(context, capacity * sizeof(gpu::PixelReflections), "waiting reflections") {
     waiting_.fill(0);
     rays_.fill(gpu::kNoRay);
 }
@@ -33,20 +32,18 @@ void Reflections::configure(gpu::ViewBlock& view) const {
 
 void Reflections::bind() const { waiting_.bindStorage(gpu::kStorageReflections); }
 
-bool Reflections::marchRound(const RayBatch& batch, March& march) {
-    started_.fill(0);
+bool Reflections::marchRound(RayBatch& batch, const March& march) {
     batch.rays.bindStorage(gpu::kStorageDirectRays);
     rays_.bindStorage(gpu::kStorageRays);
-    started_.bindStorage(gpu::kStorageStarted);
     kernel_.dispatch(batch.groups());
-    const std::uint32_t started = started_.download<std::uint32_t>(1).front();
+    const std::uint32_t started = batch.listedCount(gpu::kPlainRays);
     count_ += started;
     if (started > 0) march.run(batch);
     batch.rays.bindStorage(gpu::kStorageRays);
     return started > 0;
 }
 
-void Reflections::run(const RayBatch& batch, March& march, const Shade& shade) {
+void Reflections::run(RayBatch& batch, const March& march, const Shade& shade) {
     while (marchRound(batch, march)) {
         rays_.bindStorage(gpu::kStorageRays);
         shade.run(batch);

@@ -35,9 +35,9 @@ public:
     /// Where the march notes what it meets. To be bound before rays are generated.
     void bind() const;
     /// Follows all that the marched rays of a batch have met, and adds what it shows to them. They must not be shaded yet.
-    void run(const RayBatch& batch, March& march, const Shade& shade);
+    void run(RayBatch& batch, const March& march, const Shade& shade);
     /// A round of that without shading: marches a reflection of every ray at which one waits. False where none does.
-    bool marchRound(const RayBatch& batch, March& march);
+    bool marchRound(RayBatch& batch, const March& march);
     /// The rays of the round, in the batch's order; kNoRay: none.
     std::vector<gpu::RayState> states(const RayBatch& batch) const;
     /// Reflections followed so far.
@@ -49,7 +49,6 @@ private:
     gpu::Kernel kernel_;
     gpu::Buffer rays_;
     gpu::Buffer waiting_;
-    gpu::Buffer started_;
     std::uint64_t count_ = 0;
 };
 

@@ -162,13 +162,13 @@ std::vector<std::vector<TraceResult>> batchPaths(Tracer& tracer, std::span<const
     for (std::size_t i = 0; i < rays.size(); ++i) paths[i].push_back(resultOf(before[i], rays[i], tracer.lattice));
     const auto underWay = [](const gpu::RayState& state) { return state.status == gpu::kMarching; };
     for (std::uint32_t slice = 0; std::any_of(before.begin(), before.end(), underWay); ++slice) {
-        const bool more = tracer.march.runSlice(tracer.batch, slice);
+        tracer.march.runSlice(tracer.batch, slice);
         auto after = tracer.states();
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (underWay(before[i])) paths[i].push_back(resultOf(after[i], rays[i], tracer.lattice));
+            const bool moved = after[i].pathLength > before[i].pathLength || after[i].status != before[i].status;
+            if (moved) paths[i].push_back(resultOf(after[i], rays[i], tracer.lattice));
         }
         before = std::move(after);
-        if (!more) break;
     }
     return paths;
 }

@@ -65,8 +65,8 @@ public:
 
     /// Tightly packed texels of the texture's own format (R8, RG8, RGBA8: bytes, others: floats), x fastest.
     void upload(const void* texels);
-    /// Reads of a texture of one channel give its value in red, green and blue.
-    void showRedInAllChannels();
+    /// Reads of a texture of one channel give its value in red, green and blue, and 0 in alpha.
+    void showGrey();
     void bind(GLuint unit) const;
     /// For kernels that store texels.
     void bindImage(GLuint unit) const;

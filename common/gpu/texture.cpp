@@ -99,9 +99,10 @@ void Texture<kDimensions>::upload(const void* texels) {
 }
 
 template <int kDimensions>
-void Texture<kDimensions>::showRedInAllChannels() {
+void Texture<kDimensions>::showGrey() {
     glTextureParameteri(name_, GL_TEXTURE_SWIZZLE_G, GL_RED);
     glTextureParameteri(name_, GL_TEXTURE_SWIZZLE_B, GL_RED);
+    glTextureParameteri(name_, GL_TEXTURE_SWIZZLE_A, GL_ZERO);
 }
 
 template <int kDimensions>

@@ -16,7 +16,6 @@ using uint = unsigned int;
 
 const int kStorageReflections = 6;  // PixelReflections, one a ray from the camera
 const int kStorageDirectRays = 7;   // RayState of the rays from the camera, while those of reflections are kStorageRays
-const int kStorageStarted = 5;      // uint: reflections that a round takes up
 
 // One more than these is seen in the environment.
 const int kMostWaiting = 8;

@@ -25,9 +25,15 @@ const int kStorageFilm = 2;      // FilmPixel, one a pixel
 const int kStorageDisplay = 3;   // vec4, one a pixel
 const int kStorageCounters = 4;  // rays that entered and field evaluations, look-ups of clearance
                                  // and samples of matter, each low word, high word
-const int kStorageMarchGroups = 5;  // three words: groups of the march's next slice
+const int kStorageRayLists = 5;  // RayListHead of each list, then the lists' rays in turn
+
+// Rays under way are listed by what happens to them next.
+const uint kPlainRays = 0u;     // they fly, or are bent
+const uint kEventfulRays = 1u;  // a boundary may end there, opaque matter be met, or a face of the domain
+const uint kRayLists = 2u;
 
 const int kRaysPerGroup = 64;
+const int kRaysPerCount = 16;  // that one invocation counts
 
 // Where a ray is in its life.
 const uint kMarching = 0u;
@@ -67,6 +73,11 @@ struct RayState {
     uint matterSamples;   // of absorption, scattering and emission
     uint dispersed;       // 1: it has been where the index depends on the wavelength
     uint generation;      // mirrors on its way from the camera
+};
+
+struct RayListHead {
+    uint groups[3];  // of a dispatch over the list
+    uint count;
 };
 
 struct GivenRay {
@@ -137,6 +148,7 @@ layout(std140, binding = kUniformView) uniform ViewBlock {
 #ifdef __cplusplus
 static_assert(sizeof(RayState) == 144 && offsetof(RayState, crossingGradMax) == 96);
 static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, depth) == 32 && offsetof(RayState, status) == 60);
+static_assert(sizeof(RayListHead) == 16);
 static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 80);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);

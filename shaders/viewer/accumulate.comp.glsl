@@ -1,23 +1,10 @@
-// Adds a sample of every pixel to the film, and the tile's counts to the statistics. Everything but radiance is taken from
-// the first ray, through the pixel's centre, at the reference wavelength.
+// Adds a sample of every pixel to the film. Everything but radiance is taken from the first ray, through the pixel's centre, at
+// the reference wavelength.
 #include "viewer/ray_states.glsl"
 
 layout(local_size_x = kRaysPerGroup) in;
 
 layout(std430, binding = kStorageFilm) buffer Film { FilmPixel film[]; };
-layout(std430, binding = kStorageCounters) buffer Counters { uint counters[8]; };
-
-shared uint groupEntered;
-shared uint groupEvaluations;
-shared uint groupLookUps;
-shared uint groupMatterSamples;
-
-void addToCounter(int counter, uint value) {
-    uint before = atomicAdd(counters[2 * counter], value);
-    if (before + value < before) {
-        atomicAdd(counters[2 * counter + 1], 1u);
-    }
-}
 
 // What a ray adds to its pixel. One that has met dispersion adds it band by band.
 vec3 colourOf(RayState ray) {
@@ -59,26 +46,7 @@ void develop(uint index, RayState ray) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (gl_LocalInvocationIndex == 0u) {
-        groupEntered = 0u;
-        groupEvaluations = 0u;
-        groupLookUps = 0u;
-        groupMatterSamples = 0u;
-    }
-    barrier();
     if (index < rayCount && isFollowed(rays[index])) {
-        RayState ray = rays[index];
-        develop(index, ray);
-        atomicAdd(groupEntered, ray.status == kMissed ? 0u : 1u);
-        atomicAdd(groupEvaluations, ray.evaluations);
-        atomicAdd(groupLookUps, ray.lookUps);
-        atomicAdd(groupMatterSamples, ray.matterSamples);
-    }
-    barrier();
-    if (gl_LocalInvocationIndex == 0u) {
-        addToCounter(0, groupEntered);
-        addToCounter(1, groupEvaluations);
-        addToCounter(2, groupLookUps);
-        addToCounter(3, groupMatterSamples);
+        develop(index, rays[index]);
     }
 }

@@ -6,8 +6,8 @@
 #if defined(EFFECT_REFLECTION) && defined(FOLLOW_REFLECTIONS)
 #include "viewer/reflection.glsl"
 #else
-void loadSteepest(uint index) {}
-void storeSteepest(uint index) {}
+void loadSteepest() {}
+void storeSteepest() {}
 void noteSteepest(vec3 x, vec3 w, RayState ray) {}
 
 BoundarySplit splitAt(Crossing crossing, vec3 w, float nEnd) {

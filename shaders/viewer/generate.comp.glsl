@@ -1,5 +1,6 @@
 // Camera rays, or rays that are given, moved to where they enter the domain; there |w| = n, since its faces do not refract.
 #include "viewer/ray_states.glsl"
+#include "viewer/ray_lists.glsl"
 #include "fields/fields.glsl"
 #include "physics/box.glsl"
 #ifdef LENS
@@ -41,6 +42,28 @@ RayState enterDomain(RayState ray) {
     return entered;
 }
 
+#ifdef STRAIGHT_FLIGHTS
+// A ray that meets nothing but vacuum on its way through the domain is at the end of it.
+RayState passVacuum(RayState ray) {
+    BoxSpan content = boxSpan(ray.x, ray.w, contentMin, contentMax);
+    if (ray.status != kMarching || content.leave > max(content.enter, 0.0)) {
+        return ray;
+    }
+    RayState ended = ray;
+    vec3 direction = unitDirection(ray);
+    ended.pathLength = distanceToExit(ray.x, direction, domainMin, domainMax);
+    ended.opticalLength = ray.n * ended.pathLength;
+    ended.x = clamp(ray.x + direction * ended.pathLength, domainMin, domainMax);
+    ended.status = kExited;
+    ended.lookUps = 1u;
+    return ended;
+}
+#else
+RayState passVacuum(RayState ray) {
+    return ray;
+}
+#endif
+
 RayState initialRay(uint index) {
 #ifdef RAYS_GIVEN
     return rayAt(given[index].origin, given[index].direction);
@@ -62,6 +85,10 @@ RayState initialRay(uint index) {
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index < rayCount && isFollowed(rays[index])) {
-        rays[index] = enterDomain(initialRay(index));
+        RayState ray = passVacuum(enterDomain(initialRay(index)));
+        rays[index] = ray;
+        if (ray.status == kMarching) {
+            listRay(kPlainRays, index);
+        }
     }
 }

@@ -17,11 +17,16 @@ vec3 sampleLightDirection(vec3 x) {
     return sampleTrilinear(lightDirectionGrid, (x - lightMin) * lightScale).rgb;
 }
 
+// Irradiance times phase function, summed over arrivals, of light that is scattered against the direction of view.
+#ifdef ISOTROPIC_SCATTERING
+vec3 phasedIrradiance(vec3 x, vec3 viewDirection, float g) {
+    return sampleIrradiance(x) * henyeyGreenstein(0.0, 0.0);
+}
+#else
 #ifdef LIGHT_LOBES
 #include "viewer/lobes.glsl"
 #endif
 
-// Irradiance times phase function, summed over arrivals, of light that is scattered against the direction of view.
 vec3 phasedIrradiance(vec3 x, vec3 viewDirection, float g) {
     vec4 direction = sampleTrilinear(lightDirectionGrid, (x - lightMin) * lightScale);
 #ifdef LIGHT_LOBES
@@ -31,4 +36,5 @@ vec3 phasedIrradiance(vec3 x, vec3 viewDirection, float g) {
 #endif
     return sampleIrradiance(x) * phaseOfFlux(viewDirection, direction.rgb, g);
 }
+#endif
 #endif

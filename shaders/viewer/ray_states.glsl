@@ -3,6 +3,9 @@
 
 layout(std430, binding = kStorageRays) buffer Rays { RayState rays[]; };
 
+// The ray that this invocation follows.
+uint rayIndex;
+
 // Pixel of a ray within the tile, row after row.
 ivec2 tilePixel(uint index) {
     return ivec2(int(index) % tileSize.x, int(index) / tileSize.x);

@@ -1,6 +1,7 @@
 // A round of reflections: what the ray of the last round saw goes to its pixel's ray, and the last of the reflections that wait
 // there becomes a ray. Marching and shading do the rest, as for rays from the camera.
 #include "viewer/ray_states.glsl"
+#include "viewer/ray_lists.glsl"
 #include "fields/fields.glsl"
 #include "physics/fresnel.glsl"
 #include "physics/boundary.glsl"
@@ -10,10 +11,6 @@ layout(local_size_x = kRaysPerGroup) in;
 
 layout(std430, binding = kStorageReflections) buffer Reflections { PixelReflections reflections[]; };
 layout(std430, binding = kStorageDirectRays) buffer DirectRays { RayState directRays[]; };
-layout(std430, binding = kStorageStarted) buffer Started { uint startedCount; };
-
-shared uint groupStarted;
-
 // Adds an ended reflection to the pixel's ray; both hold basic radiance.
 void gather(uint index, RayState ended) {
     directRays[index].radiance += ended.radiance;
@@ -55,20 +52,12 @@ void nextRound(uint index) {
     }
     rays[index] = rayFrom(reflections[index].list[waiting - 1u], directRays[index].dispersed);
     reflections[index].waiting = waiting - 1u;
-    atomicAdd(groupStarted, 1u);
+    listRay(kPlainRays, index);
 }
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (gl_LocalInvocationIndex == 0u) {
-        groupStarted = 0u;
-    }
-    barrier();
     if (index < rayCount) {
         nextRound(index);
-    }
-    barrier();
-    if (gl_LocalInvocationIndex == 0u && groupStarted > 0u) {
-        atomicAdd(startedCount, groupStarted);
     }
 }

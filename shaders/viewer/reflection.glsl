@@ -13,9 +13,9 @@ struct Steepest {
 };
 Steepest steepest;
 
-void loadSteepest(uint index) {
-    steepest.ray = Ray(reflections[index].steepestX, reflections[index].steepestW);
-    steepest.transmittance = reflections[index].steepestTransmittance;
+void loadSteepest() {
+    steepest.ray = Ray(reflections[rayIndex].steepestX, reflections[rayIndex].steepestW);
+    steepest.transmittance = reflections[rayIndex].steepestTransmittance;
 }
 
 // Of a sample at x with wave vector w.
@@ -23,10 +23,10 @@ void noteSteepest(vec3 x, vec3 w, RayState ray) {
     steepest = Steepest(Ray(x, w), ray.transmittance);
 }
 
-void storeSteepest(uint index) {
-    reflections[index].steepestX = steepest.ray.x;
-    reflections[index].steepestW = steepest.ray.w;
-    reflections[index].steepestTransmittance = steepest.transmittance;
+void storeSteepest() {
+    reflections[rayIndex].steepestX = steepest.ray.x;
+    reflections[rayIndex].steepestW = steepest.ray.w;
+    reflections[rayIndex].steepestTransmittance = steepest.transmittance;
 }
 
 #ifdef EFFECT_ROUGHNESS
@@ -72,16 +72,15 @@ Ray rayFromMirror(Ray met, vec3 away) {
 
 // Lets the reflection at a boundary that ends at index nEnd wait, if it is worth it and there is room. Whether it does.
 bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised throughput) {
-    uint index = gl_GlobalInvocationID.x;
-    uint waiting = reflections[index].waiting;
+    uint waiting = reflections[rayIndex].waiting;
     if (waiting >= uint(kMostWaiting) || !isWorthFollowing(ray, throughput)) {
         return false;
     }
     Ray met = rayAtIndex(steepest.ray, 0.5 * (nStart + nEnd), stepLength);
     Ray reflected = rayFromMirror(met, away);
     ray.evaluations += uint(2 * kMirrorCorrections + 1);
-    reflections[index].list[waiting] = Reflection(reflected.x, throughput.s, reflected.w, throughput.p,
+    reflections[rayIndex].list[waiting] = Reflection(reflected.x, throughput.s, reflected.w, throughput.p,
                                                   steepest.transmittance * tintOfMirror(), ray.generation + 1u);
-    reflections[index].waiting = waiting + 1u;
+    reflections[rayIndex].waiting = waiting + 1u;
     return true;
 }

@@ -11,16 +11,16 @@ uvec3 pcg3d(uvec3 v) {
 
 // For the pixel's next facet, by rounds a sequence of low discrepancy that starts anywhere, independent of those of the pixel and
 // the lens (viewer/sampling.cpp).
-vec2 nextUniform(uint index) {
-    uint facet = reflections[index].facets;
-    reflections[index].facets = facet + 1u;
-    uvec2 start = pcg3d(uvec3(uvec2(tileOrigin + tilePixel(index)), facet)).xy >> 8u;
+vec2 nextUniform() {
+    uint facet = reflections[rayIndex].facets;
+    reflections[rayIndex].facets = facet + 1u;
+    uvec2 start = pcg3d(uvec3(uvec2(tileOrigin + tilePixel(rayIndex)), facet)).xy >> 8u;
     const vec2 kStep = vec2(0.2360679774997897, 0.6457513110645906);  // of the roots of 5 and 7
     return fract(vec2(start) / 16777216.0 + fract(float(roundIndex) * kStep));
 }
 
 BoundarySplit roughSplit(Crossing crossing, vec3 w, float nEnd, float roughness) {
-    vec2 uniform01 = nextUniform(gl_GlobalInvocationID.x);
+    vec2 uniform01 = nextUniform();
     return splitAtFacet(crossingIncident(crossing, w), -crossing.sideAtStart * crossing.normal, crossing.nStart, nEnd,
                         alphaOfRoughness(roughness), uniform01.x, uniform01.y);
 }

@@ -1,0 +1,90 @@
+// Steps in which something happens: a boundary ends and splits light, opaque matter is met, or a face of the domain is near.
+#include "viewer/steps.glsl"
+
+#ifdef INTEGRATOR_LEAPFROG
+
+// Evaluates the field where the ray is, in the middle of its step, and turns it.
+void kick(inout RayState ray, inout Step taken, float ds) {
+    taken.optics = sampleOptics(ray.x);
+    taken.inBand = inBoundary(ray.x);
+    taken.w = ray.w;
+    ray.evaluations += 1u;
+    taken.nMean = taken.optics.n;
+#ifdef EFFECT_REFRACTION
+    taken.w = kickByLength(Ray(ray.x, ray.w), taken.optics.gradN, 0.5 * ds).w;
+    ray.w = kickByLength(Ray(ray.x, ray.w), taken.optics.gradN, ds).w;
+#endif
+}
+
+// A step that may end at the face, which the first half of it may reach.
+Step carefulStep(inout RayState ray) {
+    Step taken;
+    float ds = nextStepLength(ray);
+    taken.start = ray.x;
+    taken.nBefore = ray.n;
+    taken.nMean = ray.n;
+    taken.w = ray.w;
+    taken.optics = Optics(ray.n, vec3(0.0));
+    taken.inBand = true;
+    taken.first = drift(ray, 0.5 * ds);
+    taken.middle = ray.x;
+    taken.second = 0.0;
+    if (ray.status == kMarching) {
+        kick(ray, taken, ds);
+        taken.second = ds < stepLength ? lastDrift(ray, 0.5 * ds) : drift(ray, 0.5 * ds);
+    }
+    taken.end = ray.x;
+    taken.wEnd = ray.w;
+    return taken;
+}
+
+#else
+
+// A step that may end at the face: there it is taken again until it has the length that ends on it.
+Step carefulStep(inout RayState ray) {
+    Ray start = Ray(ray.x, ray.w);
+    float ds = nextStepLength(ray);
+    bool last = ds < stepLength;
+    RayStep next = stepRay(start, ds);
+    for (int i = 0; i < kFaceTrials && (last || outside(next.ray.x)); ++i) {
+        last = true;
+        ds = clamp(ds + signedDistanceToFace(next.ray), kShortestStep * stepLength, stepLength);
+        next = stepRay(start, ds);
+    }
+    Step taken = stepOf(ray, next, ds);
+    ray.evaluations += kEvaluationsPerStep;
+    if (signedDistanceToFace(next.ray) < kShortestStep * stepLength) {
+        ray.status = kExited;
+        taken.end = clamp(next.ray.x, domainMin, domainMax);
+    }
+    return taken;
+}
+
+#endif
+
+void main() {
+    if (!isListed(kEventfulRays)) {
+        return;
+    }
+    rayIndex = listedRay(kEventfulRays);
+    RayState ray = rays[rayIndex];
+    loadSteepest();
+    uint left = stepsPerSlice;
+    bool goes = !looksAhead(ray);  // a slice may have ended before it could
+    do {
+        if (goes) {
+            Step taken = carefulStep(ray);
+            move(ray, taken);
+            endBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
+            cutAtOpaque(ray, taken);
+            passStep(ray, taken);
+            endRay(ray);
+            left -= 1u;
+        }
+        goes = goes && left > 0u && ray.status == kMarching && !looksAhead(ray) && !farFromFaces(ray.x);
+    } while (goes);
+    storeRay(ray);
+    if (ray.status == kMarching) {
+        listRay(kPlainRays, rayIndex);
+    }
+}

@@ -1,0 +1,24 @@
+// Lists of rays under way: a dispatch takes the rays of one list, so that its vectors hold none that have nothing to do.
+#include "shared/view_blocks.h"
+
+layout(std430, binding = kStorageRayLists) buffer RayLists {
+    RayListHead heads[kRayLists];
+    uint listed[];
+};
+
+void listRay(uint list, uint index) {
+    uint place = atomicAdd(heads[list].count, 1u);
+    listed[kRayLists * place + list] = index;
+    if (place % uint(kRaysPerGroup) == 0u) {
+        atomicAdd(heads[list].groups[0], 1u);
+    }
+}
+
+// Whether there is a ray on the list for this invocation, and which.
+bool isListed(uint list) {
+    return gl_GlobalInvocationID.x < heads[list].count;
+}
+
+uint listedRay(uint list) {
+    return listed[kRayLists * gl_GlobalInvocationID.x + list];
+}
