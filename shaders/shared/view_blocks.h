@@ -29,7 +29,7 @@ const int kStorageRayLists = 5;  // RayListHead of each list, then the lists' ra
 
 // Rays under way are listed by what happens to them next.
 const uint kPlainRays = 0u;     // they fly, or are bent
-const uint kEventfulRays = 1u;  // a boundary may end there, opaque matter be met, or a face of the domain
+const uint kEventfulRays = 1u;  // a boundary ends there, opaque matter is met, or the domain ends
 const uint kRayLists = 2u;
 
 const int kRaysPerGroup = 64;

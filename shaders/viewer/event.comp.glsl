@@ -1,4 +1,4 @@
-// Steps in which something happens: a boundary ends and splits light, opaque matter is met, or a face of the domain is near.
+// A step in which something happens: a boundary ends and splits light, opaque matter is met, or the domain ends.
 #include "viewer/steps.glsl"
 
 #ifdef INTEGRATOR_LEAPFROG
@@ -66,23 +66,20 @@ void main() {
     if (!isListed(kEventfulRays)) {
         return;
     }
-    rayIndex = listedRay(kEventfulRays);
+    uint entry = listedRay(kEventfulRays);
+    rayIndex = entry & ~kSliceEnded;
+    if (entry != rayIndex) {
+        listRay(kPlainRays, rayIndex);
+        return;
+    }
     RayState ray = rays[rayIndex];
     loadSteepest();
-    uint left = stepsPerSlice;
-    bool goes = !looksAhead(ray);  // a slice may have ended before it could
-    do {
-        if (goes) {
-            Step taken = carefulStep(ray);
-            move(ray, taken);
-            endBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
-            cutAtOpaque(ray, taken);
-            passStep(ray, taken);
-            endRay(ray);
-            left -= 1u;
-        }
-        goes = goes && left > 0u && ray.status == kMarching && !looksAhead(ray) && !farFromFaces(ray.x);
-    } while (goes);
+    Step taken = carefulStep(ray);
+    move(ray, taken);
+    endBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
+    cutAtOpaque(ray, taken);
+    passStep(ray, taken);
+    endRay(ray);
     storeRay(ray);
     if (ray.status == kMarching) {
         listRay(kPlainRays, rayIndex);

@@ -4,12 +4,6 @@ bool outside(vec3 x) {
     return any(lessThan(x, domainMin)) || any(greaterThan(x, domainMax));
 }
 
-// Whether a step from x stays inside, whatever its direction.
-bool farFromFaces(vec3 x) {
-    vec3 room = min(x - domainMin, domainMax - x);
-    return min(room.x, min(room.y, room.z)) > 1.001 * stepLength;
-}
-
 float distanceToFace(RayState ray) {
     return distanceToExit(ray.x, unitDirection(ray), domainMin, domainMax);
 }

@@ -87,20 +87,33 @@ bool looksAhead(RayState ray) {
     return ray.pathLength >= ray.lookAgainAt && ray.crossingGradMax == 0.0;
 }
 
+bool mayFly(RayState ray, uint left) {
+    return left > 0u && ray.status == kMarching && looksAhead(ray);
+}
+
+// Flies if nothing ahead is in the way, else notes how far that is known.
+void look(inout RayState ray, inout uint left) {
+    vec3 direction = unitDirection(ray);
+    Clearance ahead = clearanceAhead(ray.x, direction);
+    ray.lookUps += 1u;
+    if (ahead.straight) {
+        fly(ray, direction, ahead);
+        left -= 1u;
+    } else {
+        ray.lookAgainAt = ray.pathLength + ahead.reach + kBeyondBrick * domainVoxel;
+    }
+    endRay(ray);
+}
+
 // Flights, at most `left` of them, until the ray is where it must step.
 void flyAhead(inout RayState ray, inout uint left) {
-    while (left > 0u && ray.status == kMarching && looksAhead(ray)) {
-        vec3 direction = unitDirection(ray);
-        Clearance ahead = clearanceAhead(ray.x, direction);
-        ray.lookUps += 1u;
-        if (ahead.straight) {
-            fly(ray, direction, ahead);
-            left -= 1u;
-        } else {
-            ray.lookAgainAt = ray.pathLength + ahead.reach + kBeyondBrick * domainVoxel;
+    bool looks = mayFly(ray, left);
+    do {
+        if (looks) {
+            look(ray, left);
         }
-        endRay(ray);
-    }
+        looks = looks && mayFly(ray, left);
+    } while (looks);
 }
 
 // After an evaluation in the middle of a step of length ds: where the index varies, the step's end is no place to look.

@@ -6,26 +6,27 @@
 #include "viewer/steps.glsl"
 
 bool isPlain(RayState ray, uint left) {
-    return left > 0u && ray.status == kMarching && farFromFaces(ray.x) && !looksAhead(ray);
+    return left > 0u && ray.status == kMarching && !looksAhead(ray);
 }
 
-// Steps until something happens in one, which is not taken then, or a face is near: true. Or the ray may fly.
+// Steps until something happens in one, which is not taken then: true. Or the ray may fly, or has come to the slice's end.
 bool stepAlong(inout RayState ray, inout uint left) {
+    bool eventful = false;
     bool goes = isPlain(ray, left);
     do {
         Step next = stepOf(ray, stepRay(Ray(ray.x, ray.w), stepLength), stepLength);
         ray.evaluations += goes ? kEvaluationsPerStep : 0u;
-        goes = goes && !isEventful(ray, next);
-        if (goes) {
+        eventful = goes && isEventful(ray, next);
+        if (goes && !eventful) {
             move(ray, next);
             followBoundary(ray, next.nBefore, next.inBand, next.middle, next.w, next.optics);
             passStep(ray, next);
             endRay(ray);
             left -= 1u;
         }
-        goes = goes && isPlain(ray, left);
+        goes = goes && !eventful && isPlain(ray, left);
     } while (goes);
-    return !looksAhead(ray);
+    return eventful;
 }
 
 void main() {
@@ -37,13 +38,13 @@ void main() {
     loadSteepest();
     stopInsideOpaque(ray);
     uint left = stepsPerSlice;
-    bool waits = false;
+    bool eventful = false;
     do {
         flyAhead(ray, left);
-        waits = stepAlong(ray, left);
-    } while (!waits && left > 0u && ray.status == kMarching);
+        eventful = stepAlong(ray, left);
+    } while (!eventful && left > 0u && ray.status == kMarching);
     storeRay(ray);
     if (ray.status == kMarching) {
-        listRay(kEventfulRays, rayIndex);
+        listRay(kEventfulRays, eventful ? rayIndex : rayIndex | kSliceEnded);
     }
 }

@@ -6,6 +6,9 @@ layout(std430, binding = kStorageRayLists) buffer RayLists {
     uint listed[];
 };
 
+// Set in an entry of kEventfulRays: nothing happens to the ray, whose slice has ended. It goes on in the next one.
+const uint kSliceEnded = 0x80000000u;
+
 void listRay(uint list, uint index) {
     uint place = atomicAdd(heads[list].count, 1u);
     listed[kRayLists * place + list] = index;

@@ -74,9 +74,9 @@ void passStep(inout RayState ray, Step taken) {
 #endif
 }
 
-// Whether something happens in a step that most steps pass without: a boundary ends, or opaque matter is met.
+// Whether something happens in a step that most steps pass without: the domain ends, a boundary does, or opaque matter is met.
 bool isEventful(RayState ray, Step taken) {
-    return boundaryEnds(ray, taken.inBand, taken.optics) || meetsOpaque(taken);
+    return outside(taken.middle) || outside(taken.end) || boundaryEnds(ray, taken.inBand, taken.optics) || meetsOpaque(taken);
 }
 
 // The ray at the end of a step; what lies along it is not passed yet.

@@ -88,8 +88,11 @@ test::Members pixelReflectionsMembers() {
 }
 
 TEST(BlockLayout, OfTheMarchIsTheCompilers) {
-    const gpu::Kernel march(test::sharedContext(), "viewer/march.comp.glsl", {"EFFECT_ABSORPTION", "SAMPLES_PER_HALF 0"});
-    const auto rays = test::storageBlockLayout(march, "Rays");
+    const gpu::Kernel march(test::sharedContext(), "viewer/march.comp.glsl",
+                            {"EFFECT_REFRACTION", "EFFECT_ABSORPTION", "SAMPLES_PER_HALF 0"});
+    // Where neighbours are stored together, as in the march, Mesa does not list them.
+    const gpu::Kernel shade(test::sharedContext(), "viewer/shade.comp.glsl", {});
+    const auto rays = test::storageBlockLayout(shade, "Rays");
     EXPECT_EQ(rays.members, test::prefixed("rays[0].", rayStateMembers()));
     EXPECT_EQ(rays.stride, sizeof(gpu::RayState));
     const auto view = test::uniformBlockLayout(march, "ViewBlock");
@@ -98,6 +101,14 @@ TEST(BlockLayout, OfTheMarchIsTheCompilers) {
     const auto domain = test::uniformBlockLayout(march, "DomainBlock");
     EXPECT_EQ(domain.members, domainBlockMembers());
     EXPECT_EQ(domain.bytes, sizeof(gpu::DomainBlock));
+}
+
+TEST(BlockLayout, OfTheRayListsIsTheCompilers) {
+    const gpu::Kernel march(test::sharedContext(), "viewer/march.comp.glsl", {"SAMPLES_PER_HALF 0"});
+    const test::Members expected{{"heads[0].groups[0]", offsetof(gpu::RayListHead, groups)},
+                                 {"heads[0].count", offsetof(gpu::RayListHead, count)},
+                                 {"listed[0]", gpu::kRayLists * sizeof(gpu::RayListHead)}};
+    EXPECT_EQ(test::storageBlockLayout(march, "RayLists").members, expected);
 }
 
 TEST(BlockLayout, OfReflectionsIsTheCompilers) {

@@ -35,10 +35,16 @@ std::vector<KernelVariant> variants() {
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "DISPERSION_BY_REFRACTIVITY"});
     subsets.push_back({"EFFECT_REFRACTION", "CUBIC_INTERPOLATION"});
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "CUBIC_INTERPOLATION"});
-    rows.push_back({"viewer/accumulate.comp.glsl", {"EFFECT_REFRACTION", "EFFECT_DISPERSION"}});
+    subsets.push_back({"EFFECT_SCATTERING", "BAKED_LIGHT", "ISOTROPIC_SCATTERING"});
+    for (const char* kernel : {"viewer/accumulate.comp.glsl", "viewer/count.comp.glsl"}) {
+        rows.push_back({kernel, {}});
+        rows.push_back({kernel, {"EFFECT_REFRACTION", "EFFECT_DISPERSION"}});
+    }
     for (const auto& subset : subsets) {
-        rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0"}));
-        rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 2"}));
+        for (const char* kernel : {"viewer/march.comp.glsl", "viewer/event.comp.glsl"}) {
+            rows.push_back(test::variant(kernel, subset, {"SAMPLES_PER_HALF 0"}));
+            rows.push_back(test::variant(kernel, subset, {"SAMPLES_PER_HALF 2"}));
+        }
         rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0", "MATTER_VOXELS 2.000000"}));
         rows.push_back(test::variant("viewer/shade.comp.glsl", subset));
         rows.push_back(test::variant("viewer/reflect.comp.glsl", subset));
@@ -48,6 +54,7 @@ std::vector<KernelVariant> variants() {
     }
     for (const char* integrator : {"INTEGRATOR_EULER", "INTEGRATOR_RK4", "INTEGRATOR_SHARMA"}) {
         rows.push_back(test::variant("viewer/march.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));
+        rows.push_back(test::variant("viewer/event.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));
         rows.push_back(test::variant("viewer/march.comp.glsl", {"EFFECT_REFRACTION", "CUBIC_INTERPOLATION"},
                                      {integrator, "SAMPLES_PER_HALF 0"}));
     }
@@ -115,7 +122,10 @@ TEST(GpuFields, UploadOnlyWhatEffectsNeed) {
     const GpuFields absorbing(test::sharedContext(), fields, test::effectsOf(scene, fields));
     ASSERT_EQ(absorbing.textures().size(), 1u);
     EXPECT_EQ(absorbing.textures()[0].first, "sigma_a");
-    EXPECT_EQ(absorbing.textures()[0].second, 8u * 8 * 8 * 16);
+    EXPECT_EQ(absorbing.textures()[0].second, 8u * 8 * 8 * 4) << "grey: one channel";
+    fields.sigmaA.values.front() = glm::vec3(1.0f, 1.0f, 2.0f);
+    const GpuFields coloured(test::sharedContext(), fields, test::effectsOf(scene, fields));
+    EXPECT_EQ(coloured.textures()[0].second, 8u * 8 * 8 * 16);
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 
 namespace eikonal::window {
 
-inline constexpr int kCoarseResolution = 32;  ///< voxels along the longest side
+inline constexpr int kCoarseResolution = 24;  ///< voxels along the longest side
 inline constexpr double kCoarseTolerance = 0.25;
 
 /// At most that resolution, at least that tolerance.

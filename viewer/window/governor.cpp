@@ -12,7 +12,7 @@ constexpr double kMemory = 0.7;        // weight of what was measured before: on
 constexpr std::size_t kFewestRays = 512;
 constexpr std::array kDivisors = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0};
 constexpr double kLegibleDivisor = 3.0;
-constexpr double kPatience = 2.0;  // frames that a legible picture may take instead of one
+constexpr double kPatience = 3.0;  // frames that a legible picture may take instead of one: 100 ms at the default
 
 glm::ivec2 divided(const glm::ivec2& size, double divisor) {
     return glm::max(glm::ivec2(glm::round(glm::dvec2(size) / divisor)), glm::ivec2(1));

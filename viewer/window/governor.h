@@ -24,7 +24,7 @@ public:
     void measured(std::size_t rays, bool fine, double seconds);
 
     /// The most detailed picture of a frame of `fullSize` pixels that is done within a frame while something moves. A third
-    /// of the width is as coarse as it gets within a frame; below it a picture may take two, rather than show less.
+    /// of the width is as coarse as it gets within a frame; below it a picture may take three, rather than show less.
     Detail moving(const glm::ivec2& fullSize) const;
     /// The next step from a picture towards one that has every pixel and fine rays.
     static Detail refined(const Detail& shown, const glm::ivec2& fullSize);

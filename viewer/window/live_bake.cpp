@@ -1,6 +1,7 @@
 #include "viewer/window/live_bake.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <utility>
@@ -13,6 +14,8 @@ namespace eikonal::window {
 namespace {
 
 constexpr std::uint32_t kRaysAtATime = 16384;  // of a fine bake: short batches, between which it can be given up
+
+constexpr std::chrono::milliseconds kRest{150};
 
 /// Ends a bake from its progress callback; no failure.
 struct GivenUp {};
@@ -66,8 +69,14 @@ struct LiveBake::Worker {
     void bake(const BakeRequest& request) {
         if (request.fields != fields || simulatorKey(request.scene) != key) prepare(request);
         const LightSet lights = lightsAt(lightsOf(request.scene, request.effects), request.frame);
-        if (coarseSimulator) deliver(bakeWith(*coarseSimulator, lights), LightStage::kCoarse);
-        if (!owner.newer_ && !owner.stop_) deliver(bakeWith(*fineSimulator, lights), LightStage::kScene);
+        if (coarseSimulator) bakeWith(*coarseSimulator, lights, LightStage::kCoarse);
+        if (!coarseSimulator || rests()) bakeWith(*fineSimulator, lights, LightStage::kScene);
+    }
+
+    /// Whether no other request comes for a while: a fine bake is not given up in an instant.
+    bool rests() {
+        std::unique_lock lock(owner.mutex_);
+        return !owner.wake_.wait_for(lock, kRest, [this] { return owner.stop_ || owner.next_; });
     }
 
     void bakeRough(const BakeRequest& request) {
@@ -75,15 +84,16 @@ struct LiveBake::Worker {
         scene.accuracy.tolerance = std::min(2.0 * scene.accuracy.tolerance, 1.0);
         effects = request.effects;
         const auto rough = simulator(scene, *request.fields, true);
-        deliver(bakeWith(*rough, lightsAt(lightsOf(scene, effects), request.frame)), LightStage::kRough);
+        bakeWith(*rough, lightsAt(lightsOf(scene, effects), request.frame), LightStage::kRough);
     }
 
-    BakeResult bakeWith(LightSimulator& simulator, const LightSet& lights) {
+    void bakeWith(LightSimulator& simulator, const LightSet& lights, LightStage stage) {
         owner.progress_ = 0.0;
-        return simulator.bake(lights);
-    }
-
-    void deliver(BakeResult result, LightStage stage) {
+        {
+            const std::lock_guard lock(owner.mutex_);
+            owner.stage_ = stage;
+        }
+        BakeResult result = simulator.bake(lights);
         const std::lock_guard lock(owner.mutex_);
         owner.done_ = LiveLight{std::move(result.light), stage, std::move(result.statistics), number};
     }
@@ -128,6 +138,13 @@ bool LiveBake::isBusy() const {
     return working_ || done_.has_value();
 }
 
+std::optional<LightStage> LiveBake::coming() const {
+    const std::lock_guard lock(mutex_);
+    if (done_) return done_->stage;
+    if (next_) return next_->rough ? LightStage::kRough : LightStage::kCoarse;
+    return working_ ? std::optional(stage_) : std::nullopt;
+}
+
 void LiveBake::work() {
     std::optional<Worker> worker;
     std::unique_lock lock(mutex_);
@@ -137,6 +154,7 @@ void LiveBake::work() {
         const BakeRequest request = *std::exchange(next_, std::nullopt);
         const std::uint64_t number = requests_;
         newer_ = false;
+        stage_ = request.rough ? LightStage::kRough : LightStage::kCoarse;
         lock.unlock();
         std::optional<std::string> error;
         try {

@@ -48,7 +48,7 @@ public:
     ~LiveBake();
 
     /// Bakes for this scene from now on. A coarse bake under way is finished, so that a light that is dragged without a
-    /// rest shows too; a fine one is given up. Returns the request's number; numbers ascend.
+    /// rest shows too; a fine one, which begins after a moment's rest, is given up. Returns the request's number; numbers ascend.
     std::uint64_t start(BakeRequest request);
     /// The newest light that is done and was not taken yet.
     std::optional<LiveLight> take();
@@ -56,6 +56,8 @@ public:
     std::optional<std::string> takeError();
 
     bool isBusy() const;
+    /// What the next light will be; nullopt: none is on its way.
+    std::optional<LightStage> coming() const;
     /// Share of the bake under way that is done, 0 to 1.
     double progress() const { return progress_.load(); }
 
@@ -71,6 +73,7 @@ private:
     std::optional<LiveLight> done_;
     std::optional<std::string> error_;
     bool working_ = false;
+    LightStage stage_ = LightStage::kScene;  ///< of the bake under way
     std::atomic<bool> newer_{false};  ///< a request waits
     std::atomic<bool> stop_{false};
     std::atomic<double> progress_{0.0};

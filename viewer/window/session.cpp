@@ -120,18 +120,19 @@ void Session::paint() {
     shown_ = current_;
 }
 
-bool Session::hasWork(bool lightComes) const {
+bool Session::hasWork(NewLight light) const {
     const bool isWhole = current_.fine && image_.samples() > 0;
-    return changed_ || (!isRefined() && !(lightComes && isWhole));
+    const bool waits = light == NewLight::kSoon || (light == NewLight::kLater && isWhole);
+    return changed_ || (!isRefined() && !waits);
 }
 
-void Session::advance(bool lightComes) {
+void Session::advance(NewLight light) {
     if (changed_) {
         begin(governor_.moving(fullSize_));
         followRays(kNoLimit);
         changed_ = false;
         paint();
-    } else if (hasWork(lightComes)) {
+    } else if (hasWork(light)) {
         if (image_.samples() > 0 && !current_.fine) begin(Governor::refined(current_, fullSize_));
         if (followRays(governor_.frameSeconds())) paint();
     }

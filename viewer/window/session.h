@@ -10,6 +10,10 @@
 
 namespace eikonal::window {
 
+/// Whether other light is on its way, which makes the picture worthless. Soon: it is left as coarse as it is. Later: no samples
+/// beyond the first.
+enum class NewLight { kNone, kLater, kSoon };
+
 class Session {
 public:
     /// `light`: a bake where effects want light, else nullptr. Keeps a reference to the context.
@@ -25,11 +29,10 @@ public:
     /// It must outlive its use.
     void compareWith(const ProgressiveImage* image);
 
-    /// The work of one frame: a whole coarse picture if something has changed, else a part of a better one. `lightComes`: no
-    /// samples beyond the first, which other light would make worthless.
-    void advance(bool lightComes);
+    /// The work of one frame: a whole coarse picture if something has changed, else a part of a better one.
+    void advance(NewLight light);
     /// Whether there is any.
-    bool hasWork(bool lightComes) const;
+    bool hasWork(NewLight light) const;
 
     /// Whether the picture has every pixel and all samples of the scene.
     bool isRefined() const { return !changed_ && current_.fine && image_.isComplete(); }

@@ -33,7 +33,7 @@ bool Viewer::frame() {
         if (size != pixels_) pictureChanges();
         pixels_ = size;
         session_->resize(size);
-        attempt([&] { session_->advance(bake_.isBusy()); });
+        attempt([&] { session_->advance(newLight()); });
         if (session_->isRefined()) costs_.measured(document_.effects(), session_->secondsPerRay());
         estimateError();
         followFronts();

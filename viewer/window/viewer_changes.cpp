@@ -52,7 +52,7 @@ void Viewer::change(const std::string& override) {
 
 void Viewer::adopt(Document document, const Redo& redo, OldLight oldLight) {
     std::unique_ptr<Session> session = redo.image ? sessionFor(document, oldLight) : nullptr;
-    if (session) session->advance(false);  // kernels are compiled when they are first used
+    if (session) session->advance(NewLight::kNone);  // kernels are compiled when they are first used
     pictureChanges();
     document_ = std::move(document);
     if (oldLight == OldLight::kGoes) light_.reset();
@@ -85,6 +85,12 @@ void Viewer::takeLight() {
         }
     }
     if (const auto error = bake_.takeError()) say(*error, true);
+}
+
+NewLight Viewer::newLight() const {
+    const auto stage = bake_.coming();
+    if (!stage || *stage == LightStage::kRough) return NewLight::kNone;
+    return *stage == LightStage::kCoarse ? NewLight::kSoon : NewLight::kLater;
 }
 
 std::unique_ptr<Session> Viewer::sessionFor(const Document& document, OldLight oldLight) const {

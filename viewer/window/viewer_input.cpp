@@ -1,5 +1,6 @@
 // Events to changes.
 #include <algorithm>
+#include <thread>
 
 #include <fmt/core.h>
 
@@ -49,11 +50,19 @@ double Viewer::secondsToWait() const {
     if (window_.pixels() == glm::ivec2(0) && !script_) return kIdleSeconds;
     const bool estimating = estimates() && estimate_ && !estimate_->isDone();
     const bool moves = plays_ || (overlays_.fronts && overlays_.frontsMove) || controls_.flown(scene().camera, 1.0);
-    if (moves || estimating || session_->hasWork(bake_.isBusy()) || (script_ && !script_->isWaiting())) return 0.0;
+    if (moves || estimating || session_->hasWork(newLight()) || (script_ && !script_->isWaiting())) return 0.0;
     return script_ || bake_.isBusy() || fronts_.isBusy() ? kBakingSeconds : kIdleSeconds;
 }
 
+void Viewer::leaveTimeToBake() const {
+    const double early = options_.frameSeconds - (instantNow() - frameStart_).clock;
+    if (early > 0.0 && bake_.isBusy() && !session_->hasWork(newLight())) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(early));
+    }
+}
+
 void Viewer::takeEvents() {
+    leaveTimeToBake();
     std::vector<Event> events = window_.poll(secondsToWait());
     frameStart_ = instantNow();
     if (script_) events = script_->next({isSettled(), readings_});

@@ -45,6 +45,8 @@ private:
     // viewer_input.cpp: events to changes.
     void takeEvents();
     double secondsToWait() const;
+    /// Where there is nothing but light to wait for, frames keep to their pace, however many events there are.
+    void leaveTimeToBake() const;
     void handle(const Event& event);
     void handleButton(const Event& event);
     void handleKey(const Event& event);
@@ -61,6 +63,7 @@ private:
     /// Returns the number of the request; 0 where no light is wanted.
     std::uint64_t startBake();
     void takeLight();
+    NewLight newLight() const;
     enum class OldLight { kStays, kGoes };
     std::unique_ptr<Session> sessionFor(const Document& document, OldLight oldLight) const;
     /// Shows another state of the scene. Throws badInput where it cannot be shown; everything is then as it was.
