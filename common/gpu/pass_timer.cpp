@@ -22,6 +22,7 @@ void PassTimer::mark(std::string_view pass) {
         free_.pop_back();
     }
     glQueryCounter(query, GL_TIMESTAMP);
+    glFlush();  // Mesa's software renderer looks at the clock when it is flushed, and runs dispatches at once
     frames_.back().push_back({std::string(pass), query});
 }
 

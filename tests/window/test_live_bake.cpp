@@ -58,10 +58,13 @@ void expectLightOf(const BakeRequest& request, const LiveLight& light) {
 TEST(LiveBake, ShowsACoarseLightFirstAndEndsWithTheScenes) {
     const BakeRequest request = requestFor({});
     LiveBake bake;
+    EXPECT_EQ(bake.coming(), std::nullopt);
     bake.start(request);
+    EXPECT_EQ(bake.coming(), LightStage::kCoarse);
     int coarse = 0;
     const LiveLight light = lastLight(bake, &coarse);
     EXPECT_EQ(coarse, 1);
+    EXPECT_EQ(bake.coming(), std::nullopt);
     expectLightOf(request, light);
 }
 
