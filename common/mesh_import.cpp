@@ -75,6 +75,19 @@ void addMesh(const fs::path& path, const aiMesh& source, Welder& welder) {
     }
 }
 
+/// Whether one of the lines is this word and nothing else but blanks.
+bool hasLine(std::string_view text, std::string_view word) {
+    constexpr std::string_view kBlanks = " \t\r";
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        const std::size_t first = std::min(line.find_first_not_of(kBlanks), line.size());
+        if (line.substr(first, line.find_last_not_of(kBlanks) + 1 - first) == word) return true;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return false;
+}
+
 /// The library looks for the end of a PLY header for ever.
 void requireEndOfHeader(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -82,7 +95,7 @@ void requireEndOfHeader(const fs::path& path) {
     std::string start(kLongestHeader, '\0');
     file.read(start.data(), std::streamsize(start.size()));
     start.resize(std::size_t(file.gcount()));
-    if (start.starts_with("ply") && start.find("end_header") == std::string::npos)
+    if (start.starts_with("ply") && !hasLine(start, "end_header"))
         throw badInput(fmt::format("{}: expected a PLY header that ends in 'end_header', found no such line: damaged file",
                                    path.string()));
 }
