@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <unordered_map>
 
@@ -100,6 +102,20 @@ void requireEndOfHeader(const fs::path& path) {
                                    path.string()));
 }
 
+/// The library's own steps look vertices up without asking whether they are there.
+void requireKnownVertices(const fs::path& path, const aiScene& scene) {
+    for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+        for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
+            for (const unsigned index : std::span(face.mIndices, face.mNumIndices)) {
+                if (index >= mesh->mNumVertices)
+                    throw badInput(fmt::format("{}: expected faces of the {} vertices that there are, found one of number {}: "
+                                               "damaged file", path.string(), mesh->mNumVertices, index));
+            }
+        }
+    }
+}
+
+/// nullptr: it is no mesh, or none that the library can prepare.
 const aiScene* readScene(Assimp::Importer& importer, const fs::path& path) {
     // What differs between copies of a position would keep them from being welded.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
@@ -109,8 +125,13 @@ const aiScene* readScene(Assimp::Importer& importer, const fs::path& path) {
                                                             aiComponent_CAMERAS);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     try {
-        return importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_RemoveComponent | aiProcess_SortByPType |
-                                                    aiProcess_PreTransformVertices);
+        const aiScene* scene = importer.ReadFile(path.string(), 0);
+        if (!scene) return nullptr;
+        requireKnownVertices(path, *scene);
+        return importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_RemoveComponent | aiProcess_SortByPType |
+                                            aiProcess_PreTransformVertices);
+    } catch (const Error&) {
+        throw;
     } catch (const std::exception& e) {
         throw badInput(fmt::format("{}: damaged mesh file ({})", path.string(), e.what()));
     }
