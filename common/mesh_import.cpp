@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <unordered_map>
 
@@ -75,6 +77,19 @@ void addMesh(const fs::path& path, const aiMesh& source, Welder& welder) {
     }
 }
 
+/// Whether one of the lines is this word and nothing else but blanks.
+bool hasLine(std::string_view text, std::string_view word) {
+    constexpr std::string_view kBlanks = " \t\r";
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        const std::size_t first = std::min(line.find_first_not_of(kBlanks), line.size());
+        if (line.substr(first, line.find_last_not_of(kBlanks) + 1 - first) == word) return true;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return false;
+}
+
 /// The library looks for the end of a PLY header for ever.
 void requireEndOfHeader(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -82,11 +97,25 @@ void requireEndOfHeader(const fs::path& path) {
     std::string start(kLongestHeader, '\0');
     file.read(start.data(), std::streamsize(start.size()));
     start.resize(std::size_t(file.gcount()));
-    if (start.starts_with("ply") && start.find("end_header") == std::string::npos)
+    if (start.starts_with("ply") && !hasLine(start, "end_header"))
         throw badInput(fmt::format("{}: expected a PLY header that ends in 'end_header', found no such line: damaged file",
                                    path.string()));
 }
 
+/// The library's own steps look vertices up without asking whether they are there.
+void requireKnownVertices(const fs::path& path, const aiScene& scene) {
+    for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+        for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
+            for (const unsigned index : std::span(face.mIndices, face.mNumIndices)) {
+                if (index >= mesh->mNumVertices)
+                    throw badInput(fmt::format("{}: expected faces of the {} vertices that there are, found one of number {}: "
+                                               "damaged file", path.string(), mesh->mNumVertices, index));
+            }
+        }
+    }
+}
+
+/// nullptr: it is no mesh, or none that the library can prepare.
 const aiScene* readScene(Assimp::Importer& importer, const fs::path& path) {
     // What differs between copies of a position would keep them from being welded.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
@@ -96,8 +125,13 @@ const aiScene* readScene(Assimp::Importer& importer, const fs::path& path) {
                                                             aiComponent_CAMERAS);
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     try {
-        return importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_RemoveComponent | aiProcess_SortByPType |
-                                                    aiProcess_PreTransformVertices);
+        const aiScene* scene = importer.ReadFile(path.string(), 0);
+        if (!scene) return nullptr;
+        requireKnownVertices(path, *scene);
+        return importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_RemoveComponent | aiProcess_SortByPType |
+                                            aiProcess_PreTransformVertices);
+    } catch (const Error&) {
+        throw;
     } catch (const std::exception& e) {
         throw badInput(fmt::format("{}: damaged mesh file ({})", path.string(), e.what()));
     }

@@ -138,8 +138,8 @@ BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& sceneLig
     const LightSet lights = bake::inPowerUnits(sceneLights, powerUnit);
     BakeResult result{darkness(fields.lattice, options.eikonal), {}, {}};
     result.statistics.device = context_.rendererName();
-    const bake::Criteria criteria = bake::criteriaOf(accuracy_, fields);
-    const bake::LaunchGrids grids = bake::launchGrids(lights, fields.lattice, criteria.maxSide, criteria.splitShare);
+    const bake::Criteria criteria = bake::criteriaOf(accuracy_, fields, options.meshScale);
+    const bake::LaunchGrids grids = bake::launchGrids(lights, fields.lattice, criteria);
     result.statistics.energy.emitted = grids.emitted;
     if (grids.strongestPower > 0.0) {
         const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);

@@ -30,6 +30,7 @@ struct BakeOptions {
     std::uint32_t tubeVertices = 65536;  ///< rays in memory at a time; any number that one launch cell needs gives the same grids
     std::size_t maxBlockBytes = 0;      ///< largest storage block; 0: the device's limit. Smaller ones take more passes
     bool eikonal = false;               ///< the bake holds the eikonal too; deposits `auto` and `cells` only
+    double meshScale = 1.0;  ///< steps, patches and launch cells are as many times longer than the tolerance makes them
     std::function<void(double fraction)> progress;  ///< called now and then with the share of the light launched
 };
 

@@ -7,6 +7,7 @@
 
 #include "common/device_frame.h"
 #include "lightsim/point_source.h"
+#include "lightsim/settings.h"
 
 namespace eikonal::bake {
 
@@ -20,10 +21,12 @@ using glm::dvec3;
 constexpr double kInset = 1e-5;
 // A window towards the domain serves lights that see all of it within about 70 degrees of its centre.
 constexpr double kMinWindowCosine = 0.35;
-constexpr std::uint32_t kNearCells = 16;   // per side of a cube face about a light inside the domain
-constexpr std::uint32_t kCloseCells = 64;  // the same for a light just outside
-constexpr std::uint32_t kConeCells = 64;   // per side of the square about a cone, at least: its edge is a few of them wide
-constexpr std::uint32_t kPencilCells = 24;  // the same for a beam of a few voxels, whose edge no voxel resolves
+// Cells of grids about a light nearby, where they are of their usual width.
+constexpr double kNearCells = 16.0;   // per side of a cube face about a light inside the domain
+constexpr double kCloseCells = 64.0;  // the same for a light just outside
+constexpr double kConeCells = 64.0;   // per side of the square about a cone, at least: its edge is a few of them wide
+constexpr double kPencilCells = 24.0;  // the same for a beam of a few voxels, whose edge no voxel resolves
+constexpr long kLeastNearCells = 4;   // whatever their width: rays of a face are evenly spread by tangents, not by angles
 constexpr double kPencilCellVoxels = 0.125;
 
 struct Window {
@@ -56,9 +59,9 @@ double strongestOf(const dvec3& power) { return std::max({power.x, power.y, powe
 
 class GridBuilder {
 public:
-    GridBuilder(const Lattice& lattice, double maxSide, double splitShare)
+    GridBuilder(const Lattice& lattice, const Criteria& criteria)
         : lattice_{deviceFromWorld(lattice, lattice.min), lattice.voxel, lattice.size}, middle_(middleOf(lattice)),
-          maxSide_(maxSide), splitShare_(splitShare) {}
+          criteria_(criteria) {}
 
     void add(const DirectionalLight& light) { add(std::vector{light}); }
 
@@ -180,8 +183,8 @@ private:
         LaunchFrame frame = pointFrame(source, source.axis * depth, distance);
         placeAxes(frame, u * half, v * half);
         const double beamCells = 2.0 * half / (kPencilCellVoxels * lattice_.voxel);
-        const std::uint32_t least =
-            distance > 0.0 ? std::uint32_t(std::clamp(beamCells, double(kPencilCells), double(kConeCells))) : kConeCells;
+        const double usual = distance > 0.0 ? std::clamp(std::floor(beamCells), kPencilCells, kConeCells) : kConeCells;
+        const std::uint32_t least = nearCells(usual);
         frame.cellsU = std::max(frame.cellsU, least);
         frame.cellsV = std::max(frame.cellsV, least);
         return frame;
@@ -206,10 +209,14 @@ private:
             LaunchFrame frame = pointFrame(source, axis, distance);
             frame.a = u;
             frame.b = v;
-            frame.cellsU = frame.cellsV = distance > 0.0 ? kCloseCells : kNearCells;
+            frame.cellsU = frame.cellsV = nearCells(distance > 0.0 ? kCloseCells : kNearCells);
             frames.push_back(frame);
         }
         return frames;
+    }
+
+    std::uint32_t nearCells(double usual) const {
+        return std::uint32_t(std::max(std::lround(usual / criteria_.coarseness), kLeastNearCells));
     }
 
     LaunchFrame pointFrame(const PointSource& source, const dvec3& axis, double distance) const {
@@ -231,8 +238,8 @@ private:
     void placeAxes(LaunchFrame& frame, const dvec3& a, const dvec3& b) const {
         frame.a = a;
         frame.b = b;
-        frame.cellsU = cellsAlong(2.0 * glm::length(a), maxSide_);
-        frame.cellsV = cellsAlong(2.0 * glm::length(b), maxSide_);
+        frame.cellsU = cellsAlong(2.0 * glm::length(a), criteria_.maxSide);
+        frame.cellsV = cellsAlong(2.0 * glm::length(b), criteria_.maxSide);
     }
 
     /// A point light's frame is densest where its axis meets it.
@@ -251,7 +258,7 @@ private:
             bound += cellPowerBound(frame) * frame.cellsU * frame.cellsV;
         }
         for (LaunchFrame frame : frames) {
-            frame.splitPower = float(splitShare_ * std::min(bound, limit) / std::sqrt(double(sources)));
+            frame.splitPower = float(criteria_.splitShare * std::min(bound, limit) / std::sqrt(double(sources)));
             frame.firstCell = grids_.cellCount;
             grids_.cellCount += frame.cellsU * frame.cellsV;
             grids_.frames.push_back(frame);
@@ -261,15 +268,14 @@ private:
 
     Lattice lattice_;  ///< of the domain, about the origin, as positions on the device are
     dvec3 middle_;     ///< where in the world that is
-    double maxSide_;
-    double splitShare_;
+    Criteria criteria_;
     LaunchGrids grids_;
 };
 
 } // namespace
 
-LaunchGrids launchGrids(const LightSet& lights, const Lattice& lattice, double maxSide, double splitShare) {
-    GridBuilder builder(lattice, maxSide, splitShare);
+LaunchGrids launchGrids(const LightSet& lights, const Lattice& lattice, const Criteria& criteria) {
+    GridBuilder builder(lattice, criteria);
     for (const Light& light : lights.lights) {
         std::visit([&](const auto& one) { builder.add(one); }, light);
     }

@@ -20,9 +20,11 @@ struct LaunchGrids {
     double strongestCellPower = 0.0;  ///< bound of the power of one cell, strongest band
 };
 
-/// Launch grids whose cells are at most `maxSide` [scene units] where a beam or a distant light enters the domain, and
-/// small angles about a near one. Patches with less than `splitShare` of what their light launches are not split; less by
-/// the root of their number where many sources stand for one light.
-LaunchGrids launchGrids(const LightSet& lights, const Lattice& lattice, double maxSide, double splitShare);
+struct Criteria;
+
+/// Launch grids whose cells are at most Criteria::maxSide [scene units] where a beam or a distant light enters the domain, and
+/// small angles about a near one. Patches with less than Criteria::splitShare of what their light launches are not split; less
+/// by the root of their number where many sources stand for one light.
+LaunchGrids launchGrids(const LightSet& lights, const Lattice& lattice, const Criteria& criteria);
 
 } // namespace eikonal::bake

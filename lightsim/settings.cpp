@@ -10,6 +10,10 @@ namespace eikonal::bake {
 namespace {
 
 constexpr double kDefaultTolerance = 0.02;
+// Above it steps of ray tubes and their launch grids about a light nearby grow too, with its root: up to there rays err by
+// less than what lies between them.
+constexpr double kDraftTolerance = 0.1;
+constexpr double kLongestStepVoxels = 2.0;  // of tubes: boundaries are some six voxels wide
 // Light that is still in the domain after this many optical diagonals at the default tolerance is caught in total
 // reflection: culled. In a smoothed sphere about a thousandth of a beam is, whatever the limit.
 constexpr double kMaxDiagonals = 2.5;
@@ -58,18 +62,21 @@ bool usesPatches(const Accuracy& accuracy) {
     return accuracy.deposit == eikonal::Deposit::kSplat || accuracy.deposit == eikonal::Deposit::kPeak;
 }
 
-Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields) {
+Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields, double meshScale) {
     const double voxel = fields.lattice.voxel;
     const double refinement = std::clamp(std::sqrt(accuracy.tolerance / kDefaultTolerance), 0.25, 2.0);
     const glm::ivec3 size = fields.lattice.size;
     const double longest = std::max({size.x, size.y, size.z});
     Criteria criteria{};
     criteria.foldsEnd = accuracy.deposit == eikonal::Deposit::kPeak;
-    // A step is at most one voxel of length where n is least; more of them gain nothing over the floor that trilinear
-    // interpolation sets (docs/physics.md, section 1). The largest irradiance is looked for twice as often.
-    const double autoStepVoxels = criteria.foldsEnd ? 0.5 : 1.0;
-    criteria.opticalStep = accuracy.stepVoxels.value_or(autoStepVoxels) * voxel * std::min(1.0, iorRangeOf(fields).low);
-    criteria.maxSide = usesPatches(accuracy) ? refinement * voxel : kTubeCellVoxels * voxel;
+    // A step is at most one voxel of length where n is least, but for drafts; more of them gain nothing over the floor that
+    // trilinear interpolation sets (docs/physics.md, section 1). The largest irradiance is looked for twice as often.
+    const double draft = usesPatches(accuracy) ? 1.0 : std::max(1.0, std::sqrt(accuracy.tolerance / kDraftTolerance));
+    const double autoStepVoxels = criteria.foldsEnd ? 0.5 : std::min(draft, kLongestStepVoxels);
+    criteria.opticalStep =
+        meshScale * accuracy.stepVoxels.value_or(autoStepVoxels) * voxel * std::min(1.0, iorRangeOf(fields).low);
+    criteria.maxSide = meshScale * (usesPatches(accuracy) ? refinement : kTubeCellVoxels) * voxel;
+    criteria.coarseness = meshScale * draft;
     // The light's mean power per voxel of a cross-section, times the share of it that may be misplaced by not splitting.
     criteria.splitShare = (usesPatches(accuracy) ? accuracy.tolerance : kTubeSplitVoxels * tubeTolerance(accuracy)) /
                           (longest * longest);

@@ -12,6 +12,7 @@ namespace eikonal::bake {
 struct Criteria {
     double opticalStep;  ///< [scene units]
     double maxSide;      ///< of a patch; of a cell of the launch grids for ray tubes [scene units]
+    double coarseness;   ///< of the launch grids about a light nearby: how many times wider than usual their cells are
     double splitShare;   ///< of a light's power: patches with less left are not split
     double cullShare;    ///< of a patch's launched power: patches with less left end
     double maxOpticalPath;  ///< patches that have come further end [scene units]
@@ -21,7 +22,8 @@ struct Criteria {
 /// Patches as in 2007 rather than ray tubes.
 bool usesPatches(const Accuracy& accuracy);
 
-Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields);
+/// `meshScale` as in BakeOptions.
+Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields, double meshScale = 1.0);
 
 /// The uniform block of the kernels, fixed-point scales chosen so that no sum can overflow.
 BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, const Fields& fields,

@@ -22,6 +22,7 @@
 #include "tools/frame_name.h"
 #include "tools/front_ply.h"
 #include "tools/scene_arguments.h"
+#include "tools/second_look.h"
 #include "tools/statistics_json.h"
 #include "tools/terminal.h"
 
@@ -37,6 +38,7 @@ struct BakeArguments {
     int frames = 0;  ///< of a sequence; 0: a single bake, of frame 0
     bool perLight = false;
     bool eikonal = false;
+    bool noEstimate = false;
 
     bool isSequence() const { return frames > 0; }
     std::string outputOf(int frame) const { return isSequence() ? frameName(output, frame) : output; }
@@ -123,6 +125,10 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     bakeOptions.eikonal = arguments.eikonal;
     bakeOptions.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
     LightSimulator simulator(context, scene, fields, effects, bakeOptions);
+    std::optional<SecondLook> secondLook;
+    if (!arguments.statistics.empty() && !arguments.noEstimate) {
+        secondLook.emplace(context, scene, fields, effects);
+    }
     std::vector<nlohmann::json> statistics;
     for (int frame = 0; frame < std::max(arguments.frames, 1); ++frame) {
         const LightSet placed = lightsAt(lights, frame);
@@ -132,6 +138,9 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
                       arguments.isSequence() ? std::optional(frame) : std::nullopt);
         noteBake(arguments.outputOf(frame), result, options);
         statistics.push_back(bakeJson(result.statistics, effects));
+        if (secondLook) {
+            statistics.back()["error_estimate"] = secondLook->estimateJson(placed, result.light);
+        }
     }
     if (!arguments.statistics.empty()) {
         writeFile(arguments.statistics, statisticsJson(arguments, statistics).dump(2) + "\n");
@@ -148,8 +157,10 @@ void addBakeCommand(CLI::App& program, const ProgramOptions& options) {
         ->required()
         ->type_name("BAKE.vdb");
     CLI::Option* statistics =
-        command->add_option("--stats", arguments->statistics, "write seconds, patch counts and the energy ledger as JSON")
+        command->add_option("--stats", arguments->statistics, "write seconds, patch counts, the energy ledger and an estimate of the error as JSON")
             ->type_name("FILE.json");
+    command->add_flag("--no-estimate", arguments->noEstimate,
+                      "with --stats: spare the second look at the light that the estimate takes");
     CLI::Option* frames =
         command->add_option("--frames", arguments->frames,
                             "bake frames 0 to N-1 of lights that move; #### in the output's name becomes the frame's number")

@@ -19,6 +19,7 @@
 #include "lightsim/bake.h"
 #include "tools/bake_file.h"
 #include "tools/scene_arguments.h"
+#include "tools/second_look.h"
 #include "tools/statistics_json.h"
 #include "tools/terminal.h"
 #include "viewer/image_file.h"
@@ -80,22 +81,29 @@ Light lightOf(const RenderArguments& arguments, const gpu::Context& context, con
     return {std::move(result.light), std::move(result.statistics)};
 }
 
-void writeStatistics(const std::string& file, const RenderResult& image, const std::optional<ErrorEstimate>& error,
-                     const Light& light, const EffectSet& effects) {
-    nlohmann::json statistics = renderJson(image.statistics, effects);
-    if (error) {
-        statistics["error_estimate"] = errorJson(*error);
-    }
-    if (light.statistics) {
-        statistics["bake"] = bakeJson(*light.statistics, effects);
-    }
-    writeFile(file, statistics.dump(2) + "\n");
-}
-
 /// The scene with the samples that its image took: a target of noise may have ended them early.
 Scene asTaken(Scene scene, const RenderResult& image) {
     scene.render.samples = int(std::lround(image.statistics.samples));
     return scene;
+}
+
+nlohmann::json statisticsOf(const RenderResult& image, const Light& light, const EffectSet& effects) {
+    nlohmann::json statistics = renderJson(image.statistics, effects);
+    if (light.statistics) {
+        statistics["bake"] = bakeJson(*light.statistics, effects);
+    }
+    return statistics;
+}
+
+/// What the image and its light, if that was simulated now, are off by.
+void addEstimates(nlohmann::json& statistics, const gpu::Context& context, const Scene& taken, const Fields& fields,
+                  const EffectSet& effects, const Light& light, const RenderOptions& options) {
+    const BakedLight* baked = light.baked ? &*light.baked : nullptr;
+    statistics["error_estimate"] = errorJson(estimateError(context, taken, fields, effects, baked, options));
+    if (light.statistics) {
+        SecondLook secondLook(context, taken, fields, effects);
+        statistics["bake"]["error_estimate"] = secondLook.estimateJson(lightsAt(lightsOf(taken, effects), 0.0), *light.baked);
+    }
 }
 
 void runRender(const RenderArguments& arguments, const ProgramOptions& options) {
@@ -114,16 +122,16 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     };
     const BakedLight* baked = light.baked ? &*light.baked : nullptr;
     const RenderResult image = renderScene(context, scene, fields, effects, baked, renderOptions);
-    std::optional<ErrorEstimate> error;
+    nlohmann::json statistics = statisticsOf(image, light, effects);
     if (!arguments.statistics.empty() && !arguments.noEstimate) {
-        error = estimateError(context, asTaken(scene, image), fields, effects, baked, renderOptions);
+        addEstimates(statistics, context, asTaken(scene, image), fields, effects, light, renderOptions);
     }
     progress.finish();
 
     writeRendered(arguments.output, image,
                   attributesOf(image, scene, fmt::format("{} {}", kCreator, kVersion)));
     if (!arguments.statistics.empty()) {
-        writeStatistics(arguments.statistics, image, error, light, effects);
+        writeFile(arguments.statistics, statistics.dump(2) + "\n");
     }
     note(options, fmt::format("{}: {} x {} pixels, {:.0f} samples each, in {:.2f} s", arguments.output, image.size.x,
                               image.size.y, image.statistics.samples, image.statistics.seconds.back().second));
@@ -154,7 +162,7 @@ void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     command
         .add_option("--stats", arguments.statistics, "write seconds, rays, steps, noise and an estimate of the error as JSON")
         ->type_name("FILE.json");
-    command.add_flag("--no-estimate", arguments.noEstimate, "with --stats: spare the rays that the estimate takes");
+    command.add_flag("--no-estimate", arguments.noEstimate, "with --stats: spare what the estimates of the errors take");
 }
 
 } // namespace

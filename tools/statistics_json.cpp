@@ -93,6 +93,14 @@ nlohmann::json errorJson(const ErrorEstimate& estimate) {
             {"sampling", estimate.sampling}, {"pixels", estimate.pixels}, {"seconds", estimate.seconds}};
 }
 
+nlohmann::json errorJson(const BakeErrorEstimate& estimate) {
+    return {{"total", estimate.total},
+            {"propagation", estimate.propagation},
+            {"averaging", estimate.averaging},
+            {"field_evaluations", estimate.fieldEvaluations},
+            {"seconds", estimate.seconds}};
+}
+
 nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& effects) {
     nlohmann::json seconds = nlohmann::json::object();
     for (const auto& [stage, value] : statistics.seconds) {

@@ -5,6 +5,7 @@
 
 #include "common/effects.h"
 #include "lightsim/bake.h"
+#include "lightsim/error_estimate.h"
 #include "viewer/error_estimate.h"
 #include "viewer/render.h"
 
@@ -15,6 +16,7 @@ nlohmann::json energyJson(const BakeStatistics& statistics);
 nlohmann::json effectsJson(const EffectSet& effects);
 nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effects);
 nlohmann::json errorJson(const ErrorEstimate& estimate);
+nlohmann::json errorJson(const BakeErrorEstimate& estimate);
 nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& effects);
 
 } // namespace eikonal

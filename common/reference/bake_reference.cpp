@@ -78,16 +78,22 @@ DenseGrid<glm::dvec3> unfoldedEightfold(const DenseGrid<glm::dvec3>& wedge) {
     return whole;
 }
 
-/// Follows the rays of one eighth of a unit beam along +x, by two threads; `deposit` also gets the thread's number.
+enum class BeamPart { kWhole, kEighth };
+
+/// Follows the rays of a unit beam along +x, all or one eighth, by two threads; `deposit` also gets the thread's number.
 template <class Field, class Deposit>
-void followWedge(const Field& field, const Lattice& lattice, const BeamBakeOptions& options, const Deposit& deposit) {
+void followBeam(BeamPart beam, const Field& field, const Lattice& lattice, const BeamBakeOptions& options,
+                const Deposit& deposit) {
     const int across = lattice.size.y * options.raysPerVoxelEdge;
     const double spacing = lattice.voxel / options.raysPerVoxelEdge;
+    const bool isWedge = beam == BeamPart::kEighth;
+    const int first = isWedge ? across / 2 : 0;
     const auto work = [&](std::size_t part) {
-        for (int j = across / 2 + int(part); j < across; j += 2) {
-            for (int k = across / 2; k <= j; ++k) {
+        for (int j = first + int(part); j < across; j += 2) {
+            const int last = isWedge ? j : across - 1;
+            for (int k = first; k <= last; ++k) {
                 const glm::dvec3 start(lattice.min + spacing * glm::dvec3(0.0, j + 0.5, k + 0.5));
-                const double share = j == k ? 0.5 : 1.0;  // the diagonal is its own mirror image
+                const double share = isWedge && j == k ? 0.5 : 1.0;  // the diagonal is its own mirror image
                 const double n = field.optics(start).n;
                 followLight(field, lattice,
                             {{start, glm::dvec3(n, 0.0, 0.0)}, glm::dvec3(share * spacing * spacing), {1.0, 1.0},
@@ -115,6 +121,22 @@ glm::ivec3 mirrored(const glm::ivec3& voxel, const glm::ivec3& size, int image) 
     return {turned.x, (image & 1) != 0 ? last.y - turned.y : turned.y, (image & 2) != 0 ? last.z - turned.z : turned.z};
 }
 
+/// Cube means of what the rays leave.
+template <class Field>
+DenseGrid<glm::dvec3> meansOfPart(BeamPart beam, const Field& field, const Lattice& lattice, const BeamBakeOptions& options) {
+    std::array<DenseGrid<glm::dvec3>, 2> parts{DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0)),
+                                               DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0))};
+    followBeam(beam, field, lattice, options,
+               [&](std::size_t part, const glm::ivec3& voxel, const glm::dvec3&, const glm::dvec3& powerLength) {
+                   parts[part].at(voxel) += powerLength;
+               });
+    const double volume = lattice.voxel * lattice.voxel * lattice.voxel;
+    for (std::size_t i = 0; i < parts[0].values.size(); ++i) {
+        parts[0].values[i] = (parts[0].values[i] + parts[1].values[i]) / volume;
+    }
+    return parts[0];
+}
+
 } // namespace
 
 template <class Field>
@@ -129,16 +151,16 @@ std::vector<VoxelArrivals> symmetricBeamArrivals(const Field& field, const Latti
     std::array<std::vector<VoxelArrivals>, 2> parts;
     parts.fill(std::vector<VoxelArrivals>(voxels.size(), none));
     const double volume = lattice.voxel * lattice.voxel * lattice.voxel;
-    followWedge(field, lattice, options,
-                [&](std::size_t part, const glm::ivec3& voxel, const glm::dvec3& direction, const glm::dvec3& powerLength) {
-                    for (int image = 0; image < 8; ++image) {
-                        const int row = rows.at(mirrored(voxel, lattice.size, image));
-                        if (row >= 0) {
-                            parts[part][std::size_t(row)].add(mirrored(direction, image), powerLength.x / volume,
-                                                              viewDirections, g);
-                        }
-                    }
-                });
+    followBeam(BeamPart::kEighth, field, lattice, options,
+               [&](std::size_t part, const glm::ivec3& voxel, const glm::dvec3& direction, const glm::dvec3& powerLength) {
+                   for (int image = 0; image < 8; ++image) {
+                       const int row = rows.at(mirrored(voxel, lattice.size, image));
+                       if (row >= 0) {
+                           parts[part][std::size_t(row)].add(mirrored(direction, image), powerLength.x / volume,
+                                                             viewDirections, g);
+                       }
+                   }
+               });
     for (std::size_t row = 0; row < voxels.size(); ++row) {
         parts[0][row] += parts[1][row];
     }
@@ -163,23 +185,19 @@ VoxelArrivals& VoxelArrivals::operator+=(const VoxelArrivals& other) {
 }
 
 template <class Field>
+DenseGrid<glm::dvec3> bakeBeam(const Field& field, const Lattice& lattice, const BeamBakeOptions& options) {
+    return meansOfPart(BeamPart::kWhole, field, lattice, options);
+}
+
+template <class Field>
 DenseGrid<glm::dvec3> bakeSymmetricBeam(const Field& field, const Lattice& lattice, const BeamBakeOptions& options) {
-    std::array<DenseGrid<glm::dvec3>, 2> parts{DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0)),
-                                               DenseGrid<glm::dvec3>(lattice.size, glm::dvec3(0.0))};
-    followWedge(field, lattice, options,
-                [&](std::size_t part, const glm::ivec3& voxel, const glm::dvec3&, const glm::dvec3& powerLength) {
-                    parts[part].at(voxel) += powerLength;
-                });
-    const double volume = lattice.voxel * lattice.voxel * lattice.voxel;
-    for (std::size_t i = 0; i < parts[0].values.size(); ++i) {
-        parts[0].values[i] = (parts[0].values[i] + parts[1].values[i]) / volume;
-    }
-    return unfoldedEightfold(parts[0]);
+    return unfoldedEightfold(meansOfPart(BeamPart::kEighth, field, lattice, options));
 }
 
 template std::vector<VoxelArrivals> symmetricBeamArrivals(const GridField&, const Lattice&, const BeamBakeOptions&,
                                                           const std::vector<glm::ivec3>&, const std::vector<glm::dvec3>&,
                                                           double);
+template DenseGrid<glm::dvec3> bakeBeam(const ClosedForm&, const Lattice&, const BeamBakeOptions&);
 template DenseGrid<glm::dvec3> bakeSymmetricBeam(const SmoothedSphere&, const Lattice&, const BeamBakeOptions&);
 template DenseGrid<glm::dvec3> bakeSymmetricBeam(const GridField&, const Lattice&, const BeamBakeOptions&);
 

@@ -16,9 +16,13 @@ struct BeamBakeOptions {
     double maxPathDiagonals = 12.0;
 };
 
-/// Irradiance [power / scene unit²] of a unit beam along +x, cube means, by two threads. The field and the lattice are
-/// symmetric about the x axis (four mirrors) and y and z alike: only the rays of one eighth are followed.
-/// Defined for SmoothedSphere and GridField.
+/// Irradiance [power / scene unit²] of a unit beam along +x through a lattice as wide as high, cube means, by two threads.
+/// Defined for ClosedForm.
+template <class Field>
+DenseGrid<glm::dvec3> bakeBeam(const Field& field, const Lattice& lattice, const BeamBakeOptions& options);
+
+/// The same where the field and the lattice are symmetric about the x axis (four mirrors) and y and z alike: only the rays of
+/// one eighth are followed. Defined for SmoothedSphere and GridField.
 template <class Field>
 DenseGrid<glm::dvec3> bakeSymmetricBeam(const Field& field, const Lattice& lattice, const BeamBakeOptions& options);
 

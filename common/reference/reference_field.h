@@ -2,6 +2,7 @@
 // Fields of a scene for the double-precision reference: what the textures hold, or a closed form.
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <type_traits>
 
@@ -73,6 +74,20 @@ private:
 
     const Fields& fields_;
     double dispersionTerm_;
+};
+
+/// Any index in closed form; no matter and no Fresnel terms.
+class ClosedForm {
+public:
+    explicit ClosedForm(std::function<Optics(const glm::dvec3&)> optics) : optics_(std::move(optics)) {}
+
+    Optics optics(const glm::dvec3& x) const { return optics_(x); }
+    bool inBand(const glm::dvec3&) const { return false; }
+    glm::dvec3 sigmaA(const glm::dvec3&) const { return glm::dvec3(0.0); }
+    glm::dvec3 sigmaS(const glm::dvec3&) const { return glm::dvec3(0.0); }
+
+private:
+    std::function<Optics(const glm::dvec3&)> optics_;
 };
 
 /// The smoothed sphere about the origin, n = 1 + (index - 1) erfc((r - radius)/(sqrt(2) width))/2, in closed form; no

@@ -51,7 +51,7 @@ bake::LaunchFrame launchFrameOf(const Scene& scene, const Fields& fields) {
     Accuracy accuracy = scene.accuracy;
     accuracy.deposit = Deposit::kSplat;  // what fronts are made of
     const bake::Criteria criteria = bake::criteriaOf(accuracy, fields);
-    return bake::launchGrids({scene.lights, {}}, fields.lattice, criteria.maxSide, criteria.splitShare).frames.front();
+    return bake::launchGrids({scene.lights, {}}, fields.lattice, criteria).frames.front();
 }
 
 glm::dvec3 launchedAt(const bake::LaunchFrame& frame, const glm::vec2& launch) {

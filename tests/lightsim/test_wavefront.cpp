@@ -48,7 +48,7 @@ TEST(Wavefront, CornersFollowTheDoublePrecisionSteps) {
     bake::Criteria criteria = bake::criteriaOf(scene.accuracy, fields);
     criteria.maxSide = 0.25;  // four voxels: few patches, none split
     criteria.splitShare = 1.0;
-    const bake::LaunchGrids grids = bake::launchGrids({scene.lights, {}}, lattice, criteria.maxSide, criteria.splitShare);
+    const bake::LaunchGrids grids = bake::launchGrids({scene.lights, {}}, lattice, criteria);
     const std::vector<bake::WavefrontPatch> patches = patchesInside(fields, scene, criteria, grids);
     ASSERT_EQ(patches.size(), 64u);
     const reference::GridField field(fields);

@@ -18,7 +18,7 @@ TEST(StableRanges, AccumulatorsHoldTheWorstFocus) {
     const test::HardCase hard = bakedCase(kBallInSmoke, {"object.0.ior=4"});
     const bake::Criteria criteria = bake::criteriaOf(hard.scene.accuracy, hard.fields);
     const bake::LaunchGrids grids =
-        bake::launchGrids({hard.scene.lights, {}}, hard.fields.lattice, criteria.maxSide, criteria.splitShare);
+        bake::launchGrids({hard.scene.lights, {}}, hard.fields.lattice, criteria);
     const bake::BakeSettings settings = bake::settingsOf(criteria, grids, hard.fields, {});
     const double longestVoxels = settings.maxSteps * criteria.opticalStep / hard.fields.lattice.voxel;
     EXPECT_LE(double(settings.depositScale) * grids.strongestPower * longestVoxels, std::exp2(60.0) * (1.0 + 1e-6));

@@ -110,10 +110,27 @@ TEST(BakeCommand, StatisticsHoldTheDocumentedKeys) {
         ASSERT_TRUE(statistics["energy"].contains(key)) << key;
         EXPECT_EQ(statistics["energy"][key].size(), 3u) << key;
     }
+    EXPECT_GT(statistics["error_estimate"]["total"], 0.0);
+    EXPECT_LT(statistics["error_estimate"]["total"], 1.0);
+    for (const char* key : {"propagation", "averaging", "field_evaluations", "seconds"}) {
+        EXPECT_TRUE(statistics["error_estimate"].contains(key)) << key;
+    }
     EXPECT_GT(statistics["seconds"]["total"], 0.0);
     for (const double balance : statistics["energy"]["balance"]) {
         EXPECT_LE(std::abs(balance), 0.002);
     }
+}
+
+TEST(BakeCommand, EstimatesNoErrorWhereThereIsNoneToEstimateOrNobodyAsks) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    std::vector<std::string> arguments{"bake", scene, "-o", folder.file("b.vdb"), "--stats", folder.file("b.json"),
+                                       "--set", "accuracy.deposit=peak"};
+    ASSERT_EQ(runEikonal(arguments).exitCode, 0);
+    EXPECT_TRUE(json::parse(readText(folder.file("b.json"))).at("error_estimate").is_null());
+    arguments.push_back("--no-estimate");
+    ASSERT_EQ(runEikonal(arguments).exitCode, 0);
+    EXPECT_FALSE(json::parse(readText(folder.file("b.json"))).contains("error_estimate"));
 }
 
 TEST(BakeCommand, AnInterruptedRunLeavesNoFile) {

@@ -1,11 +1,11 @@
 // The error that an image says it has, against the one that it has: the same rays through the closed form of the index, in
 // double precision. An estimate is right that is off by no more than a factor of three; nine in ten must be.
 #include <cmath>
-#include <random>
 
 #include "common/cubic_spline.h"
 #include "common/physics.h"
 #include "common/reference/stepper.h"
+#include "tests/support/lumps.h"
 #include "tests/support/synthetic_fields.h"
 #include "viewer/error_estimate.h"
 #include "viewer/render.h"
@@ -73,40 +73,11 @@ double ratioOf(const Field& field, const Fields& fields, const Scene& scene) {
 
 bool isRight(double ratio) { return ratio > 1.0 / 3.0 && ratio < 3.0; }
 
-/// Three soft lumps of glass in vacuum.
-struct Lumps {
-    struct Lump {
-        glm::dvec3 centre;
-        double height, width;
-    };
-    std::vector<Lump> lumps;
-
-    explicit Lumps(unsigned seed) {
-        std::mt19937 random(seed);
-        const auto between = [&](double low, double high) { return low + (high - low) * (double(random()) / 4294967296.0); };
-        for (int i = 0; i < 3; ++i) {
-            const double x = between(-0.4, 0.4), y = between(-0.4, 0.4), z = between(-0.4, 0.4);
-            const double height = between(0.05, 0.4), width = between(0.12, 0.2);
-            lumps.push_back({{x, y, z}, height, width});
-        }
-    }
-    reference::Optics optics(const glm::dvec3& x) const {
-        reference::Optics found;
-        for (const Lump& lump : lumps) {
-            const glm::dvec3 offset = (x - lump.centre) / lump.width;
-            const double share = lump.height * std::exp(-0.5 * glm::dot(offset, offset));
-            found.n += share;
-            found.gradN -= offset * (share / lump.width);
-        }
-        return found;
-    }
-};
-
 TEST(ErrorEstimate, IsRightOnFiftyRandomFields) {
     constexpr double kSteps[] = {0.75, 1.5, 3.0, 6.0};
     int right = 0;
     for (unsigned seed = 0; seed < 50; ++seed) {
-        const Lumps lumps(seed);
+        const test::Lumps lumps(seed);
         const Fields fields =
             test::indexFields(test::cube(seed % 3 == 0 ? 16 : 32, 1.0), [&](const glm::dvec3& x) { return lumps.optics(x).n; });
         const double ratio = ratioOf(lumps, fields, sceneWith(kSteps[seed % 4], seed % 2 == 0 ? 1 : 4));

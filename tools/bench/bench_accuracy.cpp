@@ -29,7 +29,7 @@ bench::RayBenchOptions rayOptions(bool quick) {
 }
 
 bench::IrradianceBenchOptions irradianceOptions(bool quick) {
-    return quick ? bench::IrradianceBenchOptions{.resolutions = {24}, .tolerances = {0.08, 0.02}}
+    return quick ? bench::IrradianceBenchOptions{.resolutions = {24}, .tolerances = {0.8, 0.4, 0.08, 0.02}}
                  : bench::IrradianceBenchOptions{};
 }
 

@@ -9,6 +9,7 @@
 #include "lightsim/bake.h"
 #include "tools/bench/image_case.h"
 #include "tools/bench/ssim.h"
+#include "viewer/error_estimate.h"
 #include "viewer/render.h"
 
 namespace eikonal::bench {
@@ -45,12 +46,22 @@ std::vector<double> errorsOf(const RenderResult& image, const Radiances& truth) 
     return {std::sqrt(squares / values) / mean, largest / mean, structuralDissimilarity(greyOf(found), greyOf(truth))};
 }
 
-RenderResult rendered(const gpu::Context& context, const ImageCase& seen, const BakedLight& light, double stepVoxels,
-                      int samples) {
+Scene sceneOf(const ImageCase& seen, double stepVoxels, int samples) {
     Scene scene = seen.scene;
     scene.accuracy.stepVoxels = stepVoxels;
     scene.render.samples = samples;
+    return scene;
+}
+
+RenderResult rendered(const gpu::Context& context, const ImageCase& seen, const BakedLight& light, double stepVoxels,
+                      int samples) {
+    const Scene scene = sceneOf(seen, stepVoxels, samples);
     return renderScene(context, scene, seen.fields, decideEffects(scene, seen.fields), &light);
+}
+
+ErrorEstimate estimated(const gpu::Context& context, const ImageCase& seen, double stepVoxels, int samples) {
+    const Scene scene = sceneOf(seen, stepVoxels, samples);
+    return estimateError(context, scene, seen.fields, decideEffects(scene, seen.fields), &seen.light);
 }
 
 Measurement measured(const ImageCase& seen, const char* panel, const char* method, const std::string& setting,
@@ -67,6 +78,8 @@ void addSteps(Family& family, const gpu::Context& context, const ImageCase& seen
         rendered(context, seen, seen.light, step, 1);  // the driver compiles what long steps need
         family.rows.push_back(measured(seen, "step", "leapfrog", fmt::format("step {:g} voxels", step),
                                        rendered(context, seen, seen.light, step, 1), truth));
+        // the truth has the same voxels, and one ray through each pixel's centre
+        family.rows.back().estimate = estimated(context, seen, step, 1).step;
     }
 }
 
@@ -75,6 +88,8 @@ void addSamples(Family& family, const gpu::Context& context, const ImageCase& se
     for (const int count : samples) {
         family.rows.push_back(measured(seen, "samples of a pixel", "samples", fmt::format("{} samples", count),
                                        rendered(context, seen, seen.light, kFineStepVoxels, count), truth));
+        const ErrorEstimate estimate = estimated(context, seen, kFineStepVoxels, count);
+        family.rows.back().estimate = std::hypot(estimate.step, estimate.sampling);
     }
 }
 

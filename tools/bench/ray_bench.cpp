@@ -1,5 +1,6 @@
 #include "tools/bench/ray_bench.h"
 
+#include <cmath>
 #include <ctime>
 
 #include <fmt/core.h>
@@ -25,6 +26,13 @@ constexpr std::array kMethods = {NamedMethod{"euler", Method::kEuler, false}, Na
 /// A voxel of 128 along the edge [scene units]: the unit of steps, whatever the field's resolution.
 constexpr double kReferenceVoxel = 2.0 * kHalfLattice / 128.0;
 
+/// By which single precision misplaces n, and so what a voxel adds to a ray's direction [rad].
+constexpr double kRounding = 0x1p-24;
+
+/// What interpolation alone is estimated with: what its steps err by is far below.
+constexpr NamedMethod kFine{"leapfrog", Method::kLeapfrog, false};
+constexpr double kFineStepVoxels = 0.5;
+
 /// Adaptive steps are within this factor of the fixed ones that share their row of the table, and of their length where n
 /// changes by itself over this distance [scene units].
 constexpr double kAdaptiveRange = 4.0, kAdaptiveLength = 0.5;
@@ -39,6 +47,7 @@ struct FieldKind {
     const char* name;
     int resolution;
     Line line;
+    double fieldError = 0.0;  ///< of the exit direction [rad], estimated without the truth
 };
 
 /// The case's own closed form, with the interface of the other fields.
@@ -60,15 +69,35 @@ std::vector<double> errorsOf(const std::vector<RayEnd>& ends, const std::vector<
     return {rms.x, rms.y, rms.z};
 }
 
+double rmsApart(const std::vector<RayEnd>& a, const std::vector<RayEnd>& b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const glm::dvec3 apart = a[i].direction - b[i].direction;
+        squares += glm::dot(apart, apart);
+    }
+    return std::sqrt(squares / double(a.size()));
+}
+
+/// What halving the step takes off an error is this share of it.
+double shareLostByHalving(Method method) {
+    const double order = method == Method::kEuler ? 1.0 : method == Method::kLeapfrog ? 2.0 : 4.0;
+    return 1.0 - std::exp2(-order);
+}
+
 std::string settingOf(const FieldKind& kind, const StepRule& rule, double stepVoxels) {
     if (rule.adapts()) return fmt::format("turns of {:.2g} rad", rule.angle);
     return kind.resolution > 0 ? fmt::format("step {:g} voxels", stepVoxels * kind.resolution / 128.0)
                                : fmt::format("step {:g}/128 of the edge", stepVoxels);
 }
 
+struct Measured {
+    Measurement row;
+    std::vector<RayEnd> ends;
+};
+
 template <class Field>
-Measurement measure(const Field& field, const FieldKind& kind, const RayCase& rayCase, const NamedMethod& method,
-                    double stepVoxels) {
+Measured measure(const Field& field, const FieldKind& kind, const RayCase& rayCase, const NamedMethod& method,
+                 double stepVoxels) {
     std::vector<RayEnd> ends;
     std::uint64_t evaluations = 0;
     const StepRule rule = ruleOf(method, stepVoxels * kReferenceVoxel);
@@ -80,27 +109,42 @@ Measurement measure(const Field& field, const FieldKind& kind, const RayCase& ra
     }
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     const double rays = double(ends.size());
-    return {rayCase.name, kind.name, kind.resolution, method.name, settingOf(kind, rule, stepVoxels),
-            double(evaluations) / rays, seconds / rays, errorsOf(ends, rayCase.truth), kind.line};
+    return {{rayCase.name, kind.name, kind.resolution, method.name, settingOf(kind, rule, stepVoxels),
+             double(evaluations) / rays, seconds / rays, errorsOf(ends, rayCase.truth), kind.line},
+            ends};
 }
 
+/// Each row but the last is estimated by the one after it, which has half its step.
 template <class Field>
 void addCurves(Family& family, const Field& field, const FieldKind& kind, const RayCase& rayCase,
                const RayBenchOptions& options) {
     for (const NamedMethod& method : kMethods) {
         double stepVoxels = options.longestStepVoxels;
+        std::vector<RayEnd> before;
         for (int i = 0; i < options.steps; ++i, stepVoxels *= 0.5) {
-            family.rows.push_back(measure(field, kind, rayCase, method, stepVoxels));
+            Measured measured = measure(field, kind, rayCase, method, stepVoxels);
+            if (i > 0) {
+                const double ofStep = rmsApart(before, measured.ends) / shareLostByHalving(method.method);
+                family.rows.back().estimate = std::hypot(ofStep, kind.fieldError);
+            }
+            before = std::move(measured.ends);
+            family.rows.push_back(std::move(measured.row));
         }
     }
 }
 
 void addVoxelFields(Family& family, const RayCase& rayCase, int resolution, Line line, const RayBenchOptions& options) {
-    Fields fields =
+    const Fields fields =
         sampledField(cubeLattice(resolution, kHalfLattice), [&](const glm::dvec3& x) { return rayCase.optics(x).n; });
-    addCurves(family, reference::GridField(fields), {"linear", resolution, line}, rayCase, options);
-    fields.iorSpline = splineCoefficients(fields.ior);
-    addCurves(family, reference::GridField(fields), {"cubic", resolution, Line::kNone}, rayCase, options);
+    Fields cubic = fields;
+    cubic.iorSpline = splineCoefficients(fields.ior);
+    const auto endsIn = [&](const Fields& some) {
+        return measure(reference::GridField(some), {"", resolution, Line::kNone}, rayCase, kFine, kFineStepVoxels).ends;
+    };
+    const double ofLinear = rmsApart(endsIn(fields), endsIn(cubic));
+    const double ofRounding = kRounding * std::sqrt(double(resolution));  // a random walk, voxel by voxel
+    addCurves(family, reference::GridField(fields), {"linear", resolution, line, ofLinear}, rayCase, options);
+    addCurves(family, reference::GridField(cubic), {"cubic", resolution, Line::kNone, ofRounding}, rayCase, options);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "tools/bench/work_precision.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/core.h>
@@ -12,6 +13,7 @@ namespace eikonal::bench {
 namespace {
 
 constexpr std::array kTargets = {0.05, 0.01, 0.001};
+constexpr double kRightWithin = 3.0;  // factor of the true error: what estimates are meant to keep
 
 std::vector<std::string> scenesOf(const Family& family) {
     std::vector<std::string> scenes;
@@ -47,6 +49,27 @@ std::string labelOf(const Measurement& row) {
                               : fmt::format("{}, {}", row.method, row.field);
 }
 
+/// How far estimates are from errors, over all measurements that have both.
+std::string describeEstimates(const Family& family) {
+    std::vector<double> ratios, factors;
+    for (const Measurement& row : family.rows) {
+        if (row.estimate && *row.estimate > 0.0 && row.errors.front() > 0.0) {
+            ratios.push_back(*row.estimate / row.errors.front());
+            factors.push_back(std::exp(std::abs(std::log(ratios.back()))));
+        }
+    }
+    if (ratios.empty()) {
+        return "";
+    }
+    std::sort(ratios.begin(), ratios.end());
+    std::sort(factors.begin(), factors.end());
+    const auto within = std::upper_bound(factors.begin(), factors.end(), kRightWithin) - factors.begin();
+    return fmt::format("Estimated over true error: median {:.2f}, nine in ten within a factor of {:.2g}; {} of {} pairs of case and "
+                       "setting within a factor of {:g}.\n\n",
+                       ratios[ratios.size() / 2], factors[(9 * factors.size() + 9) / 10 - 1], within, factors.size(),
+                       kRightWithin);
+}
+
 } // namespace
 
 double workOf(const Measurement& row, Work work) { return work == Work::kSeconds ? row.seconds : row.evaluations; }
@@ -56,12 +79,14 @@ std::string csvOf(const Family& family) {
     for (const ErrorColumn& column : family.errors) {
         text += "," + column.name;
     }
+    text += ",estimate";
     for (const Measurement& row : family.rows) {
         text += fmt::format("\n{},{},{},{},{},{},{:.6g},{:.3g}", family.name, row.scene, row.field, row.resolution, row.method,
                             row.setting, row.evaluations, row.seconds);
         for (const double error : row.errors) {
             text += fmt::format(",{:.4g}", error);
         }
+        text += row.estimate ? fmt::format(",{:.4g}", *row.estimate) : ",";
     }
     return text + "\n";
 }
@@ -77,7 +102,7 @@ std::string summaryOf(const Family& family) {
         }
         text += "\n";
     }
-    return text + "\n";
+    return text + "\n" + describeEstimates(family) + family.notes;
 }
 
 std::string diagramOf(const Family& family, Work work) {

@@ -2,6 +2,7 @@
 // What accuracy costs: one measurement a setting, and a family of measurements that share their errors and a diagram.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct Measurement {
     double seconds = 0.0;
     std::vector<double> errors; ///< as many as the family names
     Line line = Line::kNone;
+    std::optional<double> estimate;  ///< of the first error, without the truth
 };
 
 struct ErrorColumn {
@@ -34,17 +36,18 @@ struct Family {
     std::vector<ErrorColumn> errors;   ///< the first one is drawn and judged
     double smallestDrawn;              ///< errors below it are left out of the diagram
     std::vector<Measurement> rows;     ///< curve after curve, each from coarse to fine
+    std::string notes;                 ///< Markdown, below the summary
 };
 
 enum class Work { kEvaluations, kSeconds };
 
 double workOf(const Measurement& row, Work work);
 
-/// Header and a row for each measurement, in order.
+/// Header and a row for each measurement, in order. The last column is the estimate of the first error, if there is any.
 std::string csvOf(const Family& family);
 
 /// Markdown: for each case the cheapest setting, by field evaluations, whose first error is at most 5 %, 1 % and 0.1 %, among
-/// those on voxels.
+/// those on voxels; how good the estimates are; the notes.
 std::string summaryOf(const Family& family);
 
 /// SVG: the first error over the work, both logarithmic; a panel for each case.
