@@ -11,11 +11,10 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "common/effects.h"
-#include "common/fields.h"
 #include "common/gpu/context.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
+#include "common/stage_fields.h"
 #include "lightsim/bake.h"
 #include "tools/bake_file.h"
 #include "tools/scene_arguments.h"
@@ -65,29 +64,30 @@ struct Light {
     std::optional<BakeStatistics> statistics;  ///< where it was simulated now
 };
 
-Light lightOf(const RenderArguments& arguments, const gpu::Context& context, const Scene& scene, const Fields& fields,
-              const EffectSet& effects, Progress& progress) {
+Light lightOf(const RenderArguments& arguments, const gpu::Context& context, const Scene& scene, const StageFields& stages,
+              Progress& progress) {
+    const Fields& fields = *stages.light.fields;
     if (!arguments.bake.empty()) {
         const OtherScene otherScene = arguments.force ? OtherScene::kAccept : OtherScene::kRefuse;
         return {readBakeFile(arguments.bake, scene, fields, otherScene), std::nullopt};
     }
-    if (!effects.wantsLight(scene)) {
+    if (!stages.image.effects.wantsLight(scene)) {
         return {};
     }
     BakeOptions options;
     options.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
-    BakeResult result = bakeScene(context, scene, fields, effects, options);
+    BakeResult result = bakeScene(context, scene, fields, stages.light.effects, options);
     return {std::move(result.light), std::move(result.statistics)};
 }
 
 void writeStatistics(const std::string& file, const RenderResult& image, const std::optional<ErrorEstimate>& error,
-                     const Light& light, const EffectSet& effects) {
-    nlohmann::json statistics = renderJson(image.statistics, effects);
+                     const Light& light, const StageFields& stages) {
+    nlohmann::json statistics = renderJson(image.statistics, stages.image.effects);
     if (error) {
         statistics["error_estimate"] = errorJson(*error);
     }
     if (light.statistics) {
-        statistics["bake"] = bakeJson(*light.statistics, effects);
+        statistics["bake"] = bakeJson(*light.statistics, stages.light.effects);
     }
     writeFile(file, statistics.dump(2) + "\n");
 }
@@ -104,9 +104,10 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     const gpu::Context context = gpu::Context::windowless();
     Progress progress(options);
     progress.update("composing fields", 0.0);
-    const Fields fields = composeFields(scene);
-    const EffectSet effects = decideEffects(scene, fields);
-    const Light light = lightOf(arguments, context, scene, fields, effects, progress);
+    const StageFields stages = composeStageFields(scene);
+    const Fields& fields = *stages.image.fields;
+    const EffectSet& effects = stages.image.effects;
+    const Light light = lightOf(arguments, context, scene, stages, progress);
     RenderOptions renderOptions;
     renderOptions.progress = [&progress](double fraction) {
         throwIfInterrupted();
@@ -123,7 +124,7 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     writeRendered(arguments.output, image,
                   attributesOf(image, scene, fmt::format("{} {}", kCreator, kVersion)));
     if (!arguments.statistics.empty()) {
-        writeStatistics(arguments.statistics, image, error, light, effects);
+        writeStatistics(arguments.statistics, image, error, light, stages);
     }
     note(options, fmt::format("{}: {} x {} pixels, {:.0f} samples each, in {:.2f} s", arguments.output, image.size.x,
                               image.size.y, image.statistics.samples, image.statistics.seconds.back().second));
