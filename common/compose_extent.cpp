@@ -17,10 +17,6 @@ namespace {
 
 constexpr int kBlock = 4;  // voxels
 
-std::string labelOf(const Object& object, std::size_t index) {
-    return object.name.empty() ? fmt::format("object {}", index) : fmt::format("object '{}'", object.name);
-}
-
 template <class Function>
 void forEachVoxel(const Lattice& lattice, const glm::dmat4& localFromWorld, const Function& function) {
     tbb::parallel_for(0, lattice.size.z, [&](int k) {
@@ -83,6 +79,10 @@ Extent fieldExtent(const Object& object, const Lattice& lattice) {
 }
 
 } // namespace
+
+std::string labelOf(const Object& object, std::size_t index) {
+    return object.name.empty() ? fmt::format("object {}", index) : fmt::format("object '{}'", object.name);
+}
 
 double distanceBandVoxels(double smoothVoxels) { return std::max(5.0 * smoothVoxels, 3.0); }
 

@@ -34,6 +34,9 @@ struct ObjectLayer {
     }
 };
 
+/// An object in messages: by its name, or counted.
+std::string labelOf(const Object& object, std::size_t index);
+
 /// Throws badInput for meshes and volumes that cannot be used.
 ObjectLayer layerOf(const Scene& scene, const Object& object, std::size_t index, const Lattice& lattice);
 

@@ -107,11 +107,6 @@ bool allZero(const DenseGrid<float>& grid) {
     return std::all_of(grid.values.begin(), grid.values.end(), [](float v) { return v == 0.0f; });
 }
 
-/// An index that is given over a box, as a grid or a field, holds vacuum too, and says by itself where.
-bool tellsMatterByIndex(const ObjectLayer& layer) {
-    return layer.extent.boundaryIsGiven || std::holds_alternative<FieldShape>(layer.object->shape);
-}
-
 /// How much of each voxel disperses: its refractivity |n - 1| as a share of the strongest. In a boundary between vacuum and
 /// one glass that is the coverage by which the given index was composed.
 DenseGrid<float> matterByIndex(const ObjectLayer& layer, const Lattice& lattice) {
@@ -143,6 +138,18 @@ void finishIndex(Fields& fields) {
 }
 
 } // namespace
+
+bool tellsMatterByIndex(const ObjectLayer& layer) {
+    return layer.extent.boundaryIsGiven || std::holds_alternative<FieldShape>(layer.object->shape);
+}
+
+void composeLayer(const ObjectLayer& layer, Fields& fields) {
+    composeDispersion(layer, fields);
+    composeIndex(layer, fields);
+    composeSurface(layer, fields);
+    composeMedia(layer, fields);
+    composeOpaque(layer, fields);
+}
 
 void composeIndex(const ObjectLayer& layer, Fields& fields) {
     if (!layer.changesIndex)

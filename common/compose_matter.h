@@ -6,6 +6,9 @@
 
 namespace eikonal {
 
+/// All of the below, in turn.
+void composeLayer(const ObjectLayer& layer, Fields& fields);
+
 /// n <- n + coverage (n_object - n); boundaries that this changes are marked, those that it buries are cleared.
 void composeIndex(const ObjectLayer& layer, Fields& fields);
 
@@ -14,6 +17,9 @@ void composeSurface(const ObjectLayer& layer, Fields& fields);
 
 /// Cauchy's B, composed like the index that it belongs to.
 void composeDispersion(const ObjectLayer& layer, Fields& fields);
+
+/// An index that is given over a box, as a grid or a field, holds vacuum too, and says by itself where: B goes with it.
+bool tellsMatterByIndex(const ObjectLayer& layer);
 
 /// Absorption, scattering with its anisotropy, and emission, by area coverage.
 void composeMedia(const ObjectLayer& layer, Fields& fields);

@@ -131,6 +131,19 @@ FieldPyramid fieldPyramidOf(const Fields& fields) {
     return pyramid;
 }
 
+void boundArea(const DenseGrid<float>& area, FieldPyramid& pyramid) {
+    const glm::ivec3 size = pyramid.bricks.size;
+    tbb::parallel_for(0, size.z, [&](int k) {
+        for (int j = 0; j < size.y; ++j)
+            for (int i = 0; i < size.x; ++i) {
+                FieldBrick& brick = pyramid.bricks.at(i, j, k);
+                const VoxelRange reach = reachOf({i, j, k}, area.size);
+                brick.matter = brick.matter || anyIn(area, reach, [](float share) { return share > 0.0f; });
+                brick.evenMatter = brick.evenMatter && isEven(area, reach);
+            }
+    });
+}
+
 double negligibleGradient(const FieldPyramid& pyramid, double tolerance) {
     double low = std::numeric_limits<double>::infinity(), high = 0.0;
     for (const FieldBrick& brick : pyramid.bricks.values) {

@@ -22,6 +22,7 @@ struct FieldBrick {
     bool matter = false;       ///< absorbs, scatters or emits
     bool scatters = false;
     bool evenMatter = true;    ///< absorption, scattering, anisotropy and emission are constants
+    bool fineMatter = false;   ///< matter that is not even on a lattice finer than this (common/inset_bricks.h)
     bool opaque = false;       ///< opaque matter, however little
 };
 
@@ -31,6 +32,10 @@ struct FieldPyramid {
 };
 
 FieldPyramid fieldPyramidOf(const Fields& fields);
+
+/// Of fields that hold one object over nothing: where it has an area at all there is matter, and where its area varies uneven
+/// matter, since it displaces what it lies over.
+void boundArea(const DenseGrid<float>& area, FieldPyramid& pyramid);
 
 /// Largest |grad n| [1 / scene unit] that counts as none. A ray that is not bent by a gradient g over a path s is off by
 /// g s²/(2 n): over the domain's diagonal that may be `tolerance` voxels. Not below what rounding n to floats makes.

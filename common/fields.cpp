@@ -12,6 +12,7 @@
 #include "common/compose_matter.h"
 #include "common/cubic_spline.h"
 #include "common/error.h"
+#include "common/insets.h"
 #include "common/spectral_fields.h"
 
 namespace eikonal {
@@ -28,12 +29,23 @@ Object backgroundOf(const Scene& scene) {
     return background;
 }
 
-void composeLayer(const ObjectLayer& layer, Fields& fields) {
-    composeDispersion(layer, fields);
-    composeIndex(layer, fields);
-    composeSurface(layer, fields);
-    composeMedia(layer, fields);
-    composeOpaque(layer, fields);
+/// The objects of a scene that `isIncluded`.
+template <class IsIncluded>
+Fields composedOnDomain(const Scene& scene, const IsIncluded& isIncluded) {
+    Fields fields;
+    fields.lattice = latticeOf(scene.domain);
+    fields.ior = DenseGrid<float>(fields.lattice.size, 1.0f);
+    fields.interface = DenseGrid<unsigned char>(fields.lattice.size, 0);
+    const Object background = backgroundOf(scene);
+    composeLayer(ObjectLayer{.object = &background, .label = "domain", .extent = {}, .grids = {}}, fields);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (isIncluded(scene.objects[i]))
+            composeLayer(layerOf(scene, scene.objects[i], i, fields.lattice), fields);
+    finishFields(fields);
+    if (interpolationOf(scene.accuracy) == Interpolation::kCubic && !fields.ior.empty())
+        fields.iorSpline = splineCoefficients(fields.ior);
+    requireIndexAt(fields, kLongestVisibleMicrons, scene.source);
+    return fields;
 }
 
 } // namespace
@@ -53,18 +65,13 @@ Lattice latticeOf(const Domain& domain) {
 }
 
 Fields composeFields(const Scene& scene) {
-    Fields fields;
-    fields.lattice = latticeOf(scene.domain);
-    fields.ior = DenseGrid<float>(fields.lattice.size, 1.0f);
-    fields.interface = DenseGrid<unsigned char>(fields.lattice.size, 0);
-    const Object background = backgroundOf(scene);
-    composeLayer(ObjectLayer{.object = &background, .label = "domain", .extent = {}, .grids = {}}, fields);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i)
-        composeLayer(layerOf(scene, scene.objects[i], i, fields.lattice), fields);
-    finishFields(fields);
-    if (interpolationOf(scene.accuracy) == Interpolation::kCubic && !fields.ior.empty())
-        fields.iorSpline = splineCoefficients(fields.ior);
-    requireIndexAt(fields, kLongestVisibleMicrons, scene.source);
+    return composedOnDomain(scene, [](const Object&) { return true; });
+}
+
+Fields composeImageFields(const Scene& scene) {
+    requireInsetsComeLast(scene);
+    Fields fields = composedOnDomain(scene, [](const Object& object) { return !object.resolution; });
+    fields.insets = composeInsets(scene);
     return fields;
 }
 

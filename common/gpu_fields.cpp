@@ -30,6 +30,12 @@ void require(const DenseGrid<Value>& grid, std::string_view name) {
     if (grid.empty()) throw std::logic_error("an effect is on whose grid is missing: " + std::string(name));
 }
 
+/// What stands on the domain's lattice for a grid that only insets call for.
+template <class Value>
+DenseGrid<Value> oneVoxel(const Value& value) {
+    return DenseGrid<Value>(glm::ivec3(1), value);
+}
+
 gpu::Texture3D interfaceTexture(const gpu::Context& context, const DenseGrid<unsigned char>& band) {
     gpu::Texture3D texture(context, gpu::TexelFormat::kR8, band.size, "interface");
     texture.upload(band.values.data());
@@ -39,8 +45,10 @@ gpu::Texture3D interfaceTexture(const gpu::Context& context, const DenseGrid<uns
 unsigned char asByte(float share) { return static_cast<unsigned char>(std::lround(255.0f * share)); }
 
 gpu::Texture3D surfaceTexture(const gpu::Context& context, const Fields& fields) {
-    gpu::Texture3D texture(context, gpu::TexelFormat::kRgba8, fields.lattice.size, "surface");
-    std::vector<std::array<unsigned char, 4>> texels(fields.lattice.count(), {255, 255, 255, 0});
+    const bool onlyInInsets = fields.reflectionTint.empty() && fields.roughness.empty();
+    const glm::ivec3 size = onlyInInsets ? glm::ivec3(1) : fields.lattice.size;
+    gpu::Texture3D texture(context, gpu::TexelFormat::kRgba8, size, "surface");
+    std::vector<std::array<unsigned char, 4>> texels(onlyInInsets ? 1 : fields.lattice.count(), {255, 255, 255, 0});
     for (std::size_t i = 0; i < texels.size(); ++i) {
         if (!fields.reflectionTint.empty()) {
             const glm::vec3& tint = fields.reflectionTint.values[i];
@@ -105,16 +113,18 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
     domain_.upload(block_);
     if (!context.limits().exactLinearFiltering) defines_.push_back("MANUAL_FILTERING");
     const auto add = [&](Effect effect, int unit, std::string_view label, const DenseGrid<glm::vec3>& grid,
-                         const DenseGrid<float>& alpha) {
+                         const DenseGrid<float>& alpha, float alphaOfNothing = 0.0f) {
         if (!effects.has(effect)) return;
-        require(grid, label);
-        textures_.push_back({unit, colourTexture(context, grid, alpha, label)});
+        const bool onlyInInsets = grid.empty() && !fields.insets.empty();
+        if (!onlyInInsets) require(grid, label);
+        textures_.push_back({unit, onlyInInsets ? colourTexture(context, oneVoxel(glm::vec3(0.0f)), oneVoxel(alphaOfNothing), label)
+                                                : colourTexture(context, grid, alpha, label)});
     };
     if (effects.has(Effect::kRefraction) && !fields.iorSpline.empty()) {
         textures_.push_back({gpu::kUnitOptics, splineTexture(context, fields.iorSpline)});
         defines_.push_back("CUBIC_INTERPOLATION");
     } else {
-        add(Effect::kRefraction, gpu::kUnitOptics, "optics", fields.iorGradient, fields.ior);
+        add(Effect::kRefraction, gpu::kUnitOptics, "optics", fields.iorGradient, fields.ior, fields.iorUniform);
     }
     if (!cauchyOverRefractivity_) {
         add(Effect::kDispersion, gpu::kUnitDispersion, "dispersion", fields.cauchyGradient, fields.cauchyB);
@@ -122,8 +132,10 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
         defines_.push_back("DISPERSION_BY_REFRACTIVITY");
     }
     if (effects.has(Effect::kReflection)) {
-        require(fields.interface, "interface");
-        textures_.push_back({gpu::kUnitInterface, interfaceTexture(context, fields.interface)});
+        const bool onlyInInsets = fields.interface.empty() && !fields.insets.empty();
+        if (!onlyInInsets) require(fields.interface, "interface");
+        const auto& band = onlyInInsets ? oneVoxel<unsigned char>(0) : fields.interface;
+        textures_.push_back({gpu::kUnitInterface, interfaceTexture(context, band)});
     }
     if (effects.has(Effect::kTint) || effects.has(Effect::kRoughness)) {
         textures_.push_back({gpu::kUnitSurface, surfaceTexture(context, fields)});
@@ -133,6 +145,14 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
     if (effects.has(Effect::kScattering) && isZero(fields.anisotropy)) defines_.push_back("ISOTROPIC_SCATTERING");
     add(Effect::kEmission, gpu::kUnitEmission, "emission", fields.emission, {});
     add(Effect::kOpaque, gpu::kUnitOpaque, "opaque", fields.albedo, fields.opaque);
+    if (!fields.insets.empty()) {
+        insets_.emplace(context, fields, effects);
+        defines_.push_back("INSETS");
+    }
+}
+
+void GpuFields::moveInsets(const Fields& fields) {
+    if (insets_) insets_->move(fields);
 }
 
 void GpuFields::setWavelength(double micrometres) {
@@ -143,11 +163,16 @@ void GpuFields::setWavelength(double micrometres) {
 void GpuFields::bind() const {
     domain_.bindUniform(gpu::kUniformDomain);
     for (const auto& bound : textures_) bound.texture.bind(GLuint(bound.unit));
+    if (insets_) insets_->bind();
 }
 
 std::vector<std::pair<std::string, std::size_t>> GpuFields::textures() const {
     std::vector<std::pair<std::string, std::size_t>> rows;
     for (const auto& bound : textures_) rows.emplace_back(bound.texture.label(), bound.texture.bytes());
+    if (insets_) {
+        const auto ofInsets = insets_->textures();
+        rows.insert(rows.end(), ofInsets.begin(), ofInsets.end());
+    }
     return rows;
 }
 

@@ -10,6 +10,7 @@
 #include "common/effects.h"
 #include "common/fields.h"
 #include "common/gpu/objects.h"
+#include "common/gpu_insets.h"
 #include "shaders/shared/domain_block.h"
 
 namespace eikonal {
@@ -23,6 +24,10 @@ public:
     /// The wavelength of what is dispatched from now on; at first the reference's, of which `ior` is the index. Without
     /// dispersion it makes no difference.
     void setWavelength(double micrometres);
+    /// The same insets elsewhere (GpuInsets::move).
+    void moveInsets(const Fields& fields);
+    /// How fine insets are; without any, the domain's voxels.
+    InsetBounds insetBounds() const { return insets_ ? insets_->bounds() : InsetBounds{}; }
     /// Binds textures and the domain block to the units of shaders/shared/bindings.h.
     void bind() const;
     /// What kernels that include fields/fields.glsl are compiled with: the effects, and how textures are filtered.
@@ -41,6 +46,7 @@ private:
     gpu::Buffer domain_;
     std::vector<std::string> defines_;
     std::vector<BoundTexture> textures_;
+    std::optional<GpuInsets> insets_;
 };
 
 /// Uploads a vec3 grid as an RGBA texture; alpha is the matching value of `alpha`, or 0 where that is empty. Where all is grey and

@@ -46,7 +46,9 @@ bool matters(const Scene& scene, const std::string& section, const std::string& 
         return scene.environment.bake;
     if (section == "accuracy")
         return key != "integrator";  // of viewing rays
-    const bool onlyInImages = key == "surface" || key == "roughness" || key == "reflection_tint";
+    const bool isOfObject = section.rfind("object.", 0) == 0;
+    const bool onlyInImages = key == "surface" || key == "roughness" || key == "reflection_tint" ||
+                              (isOfObject && key == "resolution");
     return key != "name" && !onlyInImages;
 }
 

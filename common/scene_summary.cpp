@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/insets.h"
 #include "common/scene_hash.h"
 
 namespace eikonal {
@@ -39,6 +40,20 @@ nlohmann::json latticeJson(const Lattice& lattice) {
             {"voxel", lattice.voxel},
             {"size", {lattice.size.x, lattice.size.y, lattice.size.z}},
             {"voxels", lattice.count()}};
+}
+
+nlohmann::json insetsJson(const Fields& fields) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Inset& inset : fields.insets) {
+        const Lattice& lattice = inset.grids->lattice;
+        rows.push_back({{"name", inset.label},
+                        {"size", {lattice.size.x, lattice.size.y, lattice.size.z}},
+                        {"voxel", voxelOf(inset)},
+                        {"voxels", lattice.count()},
+                        {"bytes", inset.grids->bytes()},
+                        {"cut", reachesBeyond(inset, fields.lattice)}});
+    }
+    return rows;
 }
 
 nlohmann::json effectsJson(const EffectSet& effects, const Fields& fields) {
@@ -81,14 +96,18 @@ nlohmann::json costJson(const Scene& scene, const Fields& fields, const EffectSe
 
 } // namespace
 
-nlohmann::json sceneSummary(const Scene& scene, const Fields& fields) {
-    const EffectSet effects = decideEffects(scene, fields);
+nlohmann::json sceneSummary(const Scene& scene, const StageFields& stages) {
+    const Fields& fields = *stages.image.fields;
+    const EffectSet& effects = stages.image.effects;
     std::size_t memory = 0;
+    for (const Inset& inset : fields.insets)
+        memory += inset.grids->bytes();
     for (const EffectDecision& decision : effects.decisions)
         memory += bytesOf(decision.effect, fields);
     return {{"source", scene.source},
-            {"hash", sceneHash(scene, fields)},
+            {"hash", sceneHash(scene, *stages.light.fields)},
             {"lattice", latticeJson(fields.lattice)},
+            {"insets", insetsJson(fields)},
             {"effects", effectsJson(effects, fields)},
             {"memory_bytes", memory},
             {"objects", scene.objects.size()},

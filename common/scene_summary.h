@@ -3,17 +3,18 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "common/effects.h"
-#include "common/fields.h"
 #include "common/scene.h"
+#include "common/stage_fields.h"
 
 namespace eikonal {
 
 /// {"source", "hash", "lattice": {"min", "max", "voxel", "size", "voxels"},
-///  "effects": [{"name", "on", "why", "grids", "bytes"}], "memory_bytes", "objects", "lights",
+///  "insets": [{"name", "size", "voxel", "voxels", "bytes", "cut"}], "effects": [{"name", "on", "why", "grids", "bytes"}],
+///  "memory_bytes", "objects", "lights",
 ///  "cost": {"image_rays", "image_steps", "bake_patch_steps"}}.
 /// Costs are estimates at the default step of one voxel: rays cross the domain along its longest side; patches are
-/// one voxel wide. Bytes are those of the grids in memory.
-nlohmann::json sceneSummary(const Scene& scene, const Fields& fields);
+/// one voxel wide. Bytes are those of the grids in memory: of effects on the domain's lattice, of insets, objects with a
+/// resolution of their own, on theirs. What of these reaches beyond the domain is cut.
+nlohmann::json sceneSummary(const Scene& scene, const StageFields& stages);
 
 } // namespace eikonal

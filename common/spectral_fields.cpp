@@ -7,6 +7,7 @@
 
 #include "common/cubic_spline.h"
 #include "common/error.h"
+#include "common/insets.h"
 #include "common/physics.h"
 
 namespace eikonal {
@@ -15,6 +16,32 @@ namespace {
 
 constexpr double kLeastRefractivity = 0.01;  // of what disperses most; below it the ratio is not well known
 constexpr double kRoundingOfIndex = 1e-6;    // of n, by which voxels may be off the proportion
+
+void requireIndexAt(double n, double cauchyB, double wavelengthMicrons, const std::string& source) {
+    const double dispersed = f64::dispersedIndex(n, cauchyB, f64::dispersionTerm(wavelengthMicrons));
+    if (!(dispersed > 0.0)) {
+        throw badInput(fmt::format("{}: cauchy_b: expected an index above 0 at {:g} nm, found {:g} where ior is {:g} and "
+                                   "cauchy_b {:g}",
+                                   source, 1000.0 * wavelengthMicrons, dispersed, n, cauchyB));
+    }
+}
+
+/// Of an inset where the object covers more than half of a voxel, which is where its index is known.
+void requireIndexAt(const InsetGrids& grids, double wavelengthMicrons, const std::string& source) {
+    if (!grids.has(gpu::kInsetDispersion)) {
+        return;
+    }
+    const auto& coverage = grids.quantities[gpu::kInsetCoverage].varying;
+    const auto valueAt = [&](int quantity, std::size_t voxel) {
+        const InsetQuantity& of = grids.quantities[std::size_t(quantity)];
+        return double(of.varying.empty() ? of.everywhere.w : of.varying[voxel].w / coverage[voxel].w);
+    };
+    for (std::size_t voxel = 0; voxel < coverage.size(); ++voxel) {
+        if (coverage[voxel].w > 0.5f) {
+            requireIndexAt(valueAt(gpu::kInsetIndex, voxel), valueAt(gpu::kInsetDispersion, voxel), wavelengthMicrons, source);
+        }
+    }
+}
 
 DenseGrid<glm::vec3> inAllBands(const DenseGrid<glm::vec3>& grid, int channel) {
     DenseGrid<glm::vec3> result = grid;
@@ -27,15 +54,12 @@ DenseGrid<glm::vec3> inAllBands(const DenseGrid<glm::vec3>& grid, int channel) {
 } // namespace
 
 void requireIndexAt(const Fields& fields, double wavelengthMicrons, const std::string& source) {
-    const double term = f64::dispersionTerm(wavelengthMicrons);
     for (std::size_t voxel = 0; voxel < fields.cauchyB.values.size(); ++voxel) {
         const double n = fields.ior.empty() ? double(fields.iorUniform) : double(fields.ior.values[voxel]);
-        const double dispersed = f64::dispersedIndex(n, fields.cauchyB.values[voxel], term);
-        if (!(dispersed > 0.0)) {
-            throw badInput(fmt::format("{}: cauchy_b: expected an index above 0 at {:g} nm, found {:g} where ior is {:g} and "
-                                       "cauchy_b {:g}",
-                                       source, 1000.0 * wavelengthMicrons, dispersed, n, fields.cauchyB.values[voxel]));
-        }
+        requireIndexAt(n, fields.cauchyB.values[voxel], wavelengthMicrons, source);
+    }
+    for (const Inset& inset : fields.insets) {
+        requireIndexAt(*inset.grids, wavelengthMicrons, source + ": " + inset.label);
     }
 }
 
@@ -60,7 +84,7 @@ Fields fieldsOfBand(const Fields& fields, const SpectralBand& band) {
 }
 
 std::optional<double> cauchyOverRefractivity(const Fields& fields) {
-    if (fields.cauchyB.empty() || fields.ior.empty()) {
+    if (fields.cauchyB.empty() || fields.ior.empty() || !fields.insets.empty()) {
         return std::nullopt;
     }
     const auto strongest = std::max_element(fields.cauchyB.values.begin(), fields.cauchyB.values.end());
@@ -76,6 +100,17 @@ std::optional<double> cauchyOverRefractivity(const Fields& fields) {
         }
     }
     return ratio;
+}
+
+bool isGrey(const Inset& inset) {
+    const auto grey = [](const glm::vec4& value) { return value.x == value.y && value.y == value.z; };
+    for (const int quantity : {gpu::kInsetAbsorption, gpu::kInsetScattering, gpu::kInsetOpaque}) {
+        const InsetQuantity& of = inset.grids->quantities[std::size_t(quantity)];
+        if (!grey(of.everywhere) || !std::all_of(of.varying.begin(), of.varying.end(), grey)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool isGrey(const DenseGrid<glm::vec3>& grid) {

@@ -20,11 +20,14 @@ void requireIndexAt(const Fields& fields, double wavelengthMicrons, const std::s
 /// Index, gradient and constants of a band, the same in all three components, and nothing that disperses any more.
 Fields fieldsOfBand(const Fields& fields, const SpectralBand& band);
 
-/// Cauchy's B over n - 1 [µm²] where that is the same everywhere, to the rounding of the grids; else nothing.
+/// Cauchy's B over n - 1 [µm²] where that is the same everywhere, to the rounding of the grids; else nothing. Insets are not
+/// asked: with any there is nothing.
 std::optional<double> cauchyOverRefractivity(const Fields& fields);
 
 /// True if a grid holds the same value in red, green and blue everywhere.
 bool isGrey(const DenseGrid<glm::vec3>& grid);
+/// The same of what an inset absorbs, scatters and reflects diffusely.
+bool isGrey(const Inset& inset);
 
 /// The bands that light is followed in besides the reference wavelength; none without dispersion.
 std::vector<SpectralBand> spectralBandsOf(const Accuracy& accuracy, const EffectSet& effects);

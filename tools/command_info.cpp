@@ -8,9 +8,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "common/effects.h"
-#include "common/fields.h"
 #include "common/scene_summary.h"
+#include "common/stage_fields.h"
 #include "common/vdb_io.h"
 #include "tools/scene_arguments.h"
 
@@ -75,7 +74,13 @@ json summaryOf(const InfoArguments& arguments) {
         return vdbSummary(arguments.scene.file);
     }
     const Scene scene = sceneOf(arguments.scene);
-    return sceneSummary(scene, composeFields(scene));
+    return sceneSummary(scene, composeStageFields(scene));
+}
+
+void printInset(const json& inset) {
+    const json& size = inset["size"];
+    fmt::print("{}: {} x {} x {} voxels of {}{}\n", plain(inset["name"]), plain(size[0]), plain(size[1]), plain(size[2]),
+               plain(inset["voxel"]), inset["cut"].get<bool>() ? "; what reaches beyond the domain is not seen" : "");
 }
 
 void printScene(const json& summary) {
@@ -85,6 +90,9 @@ void printScene(const json& summary) {
                plain(summary["lights"]));
     fmt::print("domain: {} to {}, {} x {} x {} voxels of {}\n", plain(lattice["min"]), plain(lattice["max"]),
                plain(size[0]), plain(size[1]), plain(size[2]), plain(lattice["voxel"]));
+    for (const json& inset : summary["insets"]) {
+        printInset(inset);
+    }
     fmt::print("grids: {:.1f} MiB\n", summary["memory_bytes"].get<double>() / (1024.0 * 1024.0));
     const json& cost = summary["cost"];
     fmt::print("estimated cost: image {} rays and {:.3g} steps, bake {:.3g} patch steps\n", plain(cost["image_rays"]),

@@ -11,11 +11,10 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "common/effects.h"
-#include "common/fields.h"
 #include "common/gpu/context.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
+#include "common/stage_fields.h"
 #include "lightsim/bake.h"
 #include "tools/bake_file.h"
 #include "tools/scene_arguments.h"
@@ -66,18 +65,19 @@ struct Light {
     std::optional<BakeStatistics> statistics;  ///< where it was simulated now
 };
 
-Light lightOf(const RenderArguments& arguments, const gpu::Context& context, const Scene& scene, const Fields& fields,
-              const EffectSet& effects, Progress& progress) {
+Light lightOf(const RenderArguments& arguments, const gpu::Context& context, const Scene& scene, const StageFields& stages,
+              Progress& progress) {
+    const Fields& fields = *stages.light.fields;
     if (!arguments.bake.empty()) {
         const OtherScene otherScene = arguments.force ? OtherScene::kAccept : OtherScene::kRefuse;
         return {readBakeFile(arguments.bake, scene, fields, otherScene), std::nullopt};
     }
-    if (!effects.wantsLight(scene)) {
+    if (!stages.image.effects.wantsLight(scene)) {
         return {};
     }
     BakeOptions options;
     options.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
-    BakeResult result = bakeScene(context, scene, fields, effects, options);
+    BakeResult result = bakeScene(context, scene, fields, stages.light.effects, options);
     return {std::move(result.light), std::move(result.statistics)};
 }
 
@@ -87,22 +87,24 @@ Scene asTaken(Scene scene, const RenderResult& image) {
     return scene;
 }
 
-nlohmann::json statisticsOf(const RenderResult& image, const Light& light, const EffectSet& effects) {
-    nlohmann::json statistics = renderJson(image.statistics, effects);
+nlohmann::json statisticsOf(const RenderResult& image, const Light& light, const StageFields& stages) {
+    nlohmann::json statistics = renderJson(image.statistics, stages.image.effects);
     if (light.statistics) {
-        statistics["bake"] = bakeJson(*light.statistics, effects);
+        statistics["bake"] = bakeJson(*light.statistics, stages.light.effects);
     }
     return statistics;
 }
 
 /// What the image and its light, if that was simulated now, are off by.
-void addEstimates(nlohmann::json& statistics, const gpu::Context& context, const Scene& taken, const Fields& fields,
-                  const EffectSet& effects, const Light& light, const RenderOptions& options) {
+void addEstimates(nlohmann::json& statistics, const gpu::Context& context, const Scene& taken, const StageFields& stages,
+                  const Light& light, const RenderOptions& options) {
     const BakedLight* baked = light.baked ? &*light.baked : nullptr;
-    statistics["error_estimate"] = errorJson(estimateError(context, taken, fields, effects, baked, options));
+    const auto& image = stages.image;
+    statistics["error_estimate"] = errorJson(estimateError(context, taken, *image.fields, image.effects, baked, options));
     if (light.statistics) {
-        SecondLook secondLook(context, taken, fields, effects);
-        statistics["bake"]["error_estimate"] = secondLook.estimateJson(lightsAt(lightsOf(taken, effects), 0.0), *light.baked);
+        const auto& bake = stages.light;
+        SecondLook secondLook(context, taken, *bake.fields, bake.effects);
+        statistics["bake"]["error_estimate"] = secondLook.estimateJson(lightsAt(lightsOf(taken, bake.effects), 0.0), *light.baked);
     }
 }
 
@@ -112,9 +114,10 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     const gpu::Context context = gpu::Context::windowless();
     Progress progress(options);
     progress.update("composing fields", 0.0);
-    const Fields fields = composeFields(scene);
-    const EffectSet effects = decideEffects(scene, fields);
-    const Light light = lightOf(arguments, context, scene, fields, effects, progress);
+    const StageFields stages = composeStageFields(scene);
+    const Fields& fields = *stages.image.fields;
+    const EffectSet& effects = stages.image.effects;
+    const Light light = lightOf(arguments, context, scene, stages, progress);
     RenderOptions renderOptions;
     renderOptions.progress = [&progress](double fraction) {
         throwIfInterrupted();
@@ -122,9 +125,9 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     };
     const BakedLight* baked = light.baked ? &*light.baked : nullptr;
     const RenderResult image = renderScene(context, scene, fields, effects, baked, renderOptions);
-    nlohmann::json statistics = statisticsOf(image, light, effects);
+    nlohmann::json statistics = statisticsOf(image, light, stages);
     if (!arguments.statistics.empty() && !arguments.noEstimate) {
-        addEstimates(statistics, context, asTaken(scene, image), fields, effects, light, renderOptions);
+        addEstimates(statistics, context, asTaken(scene, image), stages, light, renderOptions);
     }
     progress.finish();
 

@@ -42,7 +42,7 @@ void runTrace(const TraceArguments& arguments, const ProgramOptions& options) {
     const Scene scene = sceneOf(arguments.scene);
     const std::vector<TraceRay> rays = traceRaysOf(readRayCsv(arguments.rays));
     const gpu::Context context = gpu::Context::windowless();
-    const Fields fields = composeFields(scene);
+    const Fields fields = composeImageFields(scene);
     const EffectSet effects = decideEffects(scene, fields);
     const std::string text = arguments.points
                                  ? pointsCsv(tracePaths(context, fields, effects, scene.accuracy, rays))

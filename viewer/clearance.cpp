@@ -5,17 +5,19 @@
 #include <limits>
 
 #include "common/device_frame.h"
+#include "common/inset_bricks.h"
 
 namespace eikonal::viewer {
 
 namespace {
 
-/// Whether a ray must look at every step: it may be bent, cross a boundary or be stopped.
+/// Whether a ray must look at every step: it may be bent, cross a boundary, be stopped or pass matter that the domain's voxels
+/// are too coarse for.
 bool holdsRays(const FieldBrick& brick, const EffectSet& effects, double negligible) {
     const float gradientMax =
         brick.gradientMax + (effects.has(Effect::kDispersion) ? brick.dispersedGradientMax : 0.0f);
     return (effects.has(Effect::kRefraction) && (gradientMax > negligible || brick.boundary)) ||
-           (effects.has(Effect::kOpaque) && brick.opaque);
+           (effects.has(Effect::kOpaque) && brick.opaque) || brick.fineMatter;
 }
 
 /// Optical lengths are single precision: they do not tell such an index from 1.
@@ -50,36 +52,48 @@ Box contentOf(const FieldPyramid& pyramid, const EffectSet& effects) {
     return box;
 }
 
-gpu::Texture3D textureOf(const gpu::Context& context, const DenseGrid<unsigned char>& straight,
-                         const DenseGrid<unsigned char>& even) {
+std::vector<unsigned char> texelsOf(const DenseGrid<unsigned char>& straight, const DenseGrid<unsigned char>& even) {
     std::vector<unsigned char> texels;
     texels.reserve(2 * straight.values.size());
     for (std::size_t b = 0; b < straight.values.size(); ++b) {
         texels.push_back(straight.values[b]);
         texels.push_back(even.values[b]);
     }
-    gpu::Texture3D texture(context, gpu::TexelFormat::kRg8, straight.size, "clearance");
-    texture.upload(texels.data());
-    return texture;
+    return texels;
 }
 
 } // namespace
 
 Clearance::Clearance(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
-                     const FlightRules& rules) {
-    const FieldPyramid pyramid = fieldPyramidOf(fields);
-    negligibleGradient_ = negligibleGradient(pyramid, rules.tolerance);
-    const Box content = contentOf(pyramid, effects);
+                     const FlightRules& rules)
+    : effects_(effects), rules_(rules) {
+    const std::vector<unsigned char> texels = lookAt(fields);
+    bool isFull = true;
+    for (std::size_t b = 0; b < texels.size(); b += 2) isFull = isFull && texels[b] == 0;
+    if (isFull && fields.insets.empty()) return;  // insets may go elsewhere, and kernels stay
+    texture_.emplace(context, gpu::TexelFormat::kRg8, (fields.lattice.size + kBrickVoxels - 1) / kBrickVoxels, "clearance");
+    texture_->upload(texels.data());
+}
+
+std::vector<unsigned char> Clearance::lookAt(const Fields& fields) {
+    FieldPyramid pyramid = fieldPyramidOf(fields);
+    negligibleGradient_ = negligibleGradient(pyramid, rules_.tolerance);
+    addInsets(fields, pyramid);
+    const Box content = contentOf(pyramid, effects_);
     contentMin_ = deviceFromWorld(fields.lattice, content.min);
     contentMax_ = deviceFromWorld(fields.lattice, content.max);
     const auto straight = clearanceOf(pyramid, [&](const FieldBrick& brick) {
-        return holdsRays(brick, effects, negligibleGradient_);
+        return holdsRays(brick, effects_, negligibleGradient_);
     });
-    if (std::all_of(straight.values.begin(), straight.values.end(), [](auto distance) { return distance == 0; })) return;
     const auto even = clearanceOf(pyramid, [&](const FieldBrick& brick) {
-        return !brick.evenMatter || (rules.lit && brick.scatters);
+        return !brick.evenMatter || (rules_.lit && brick.scatters);
     });
-    texture_ = textureOf(context, straight, even);
+    return texelsOf(straight, even);
+}
+
+void Clearance::move(const Fields& fields) {
+    const std::vector<unsigned char> texels = lookAt(fields);
+    if (texture_) texture_->upload(texels.data());
 }
 
 void Clearance::configure(gpu::ViewBlock& view) const {

@@ -23,14 +23,21 @@ class Clearance {
 public:
     Clearance(const gpu::Context& context, const Fields& fields, const EffectSet& effects, const FlightRules& rules);
 
+    /// Insets have moved.
+    void move(const Fields& fields);
     void configure(gpu::ViewBlock& view) const;
     void bind() const;
-    /// "STRAIGHT_FLIGHTS", unless there is no brick in which a ray could fly.
+    /// "STRAIGHT_FLIGHTS", unless there is no brick in which a ray could fly, and no inset that might leave one.
     std::vector<std::string> defines() const;
     std::vector<std::pair<std::string, std::size_t>> textures() const;
 
 private:
-    double negligibleGradient_;
+    /// Bounds what the fields hold; clearances of straight flights and of even matter, brick after brick.
+    std::vector<unsigned char> lookAt(const Fields& fields);
+
+    EffectSet effects_;
+    FlightRules rules_;
+    double negligibleGradient_ = 0.0;
     glm::dvec3 contentMin_, contentMax_;
     std::optional<gpu::Texture3D> texture_;
 };

@@ -49,7 +49,8 @@ std::optional<viewer::Reflections> reflectionsFor(const gpu::Context& context, c
 }
 
 bool hasGreyMatter(const Fields& fields) {
-    return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo);
+    return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo) &&
+           std::all_of(fields.insets.begin(), fields.insets.end(), [](const Inset& inset) { return isGrey(inset); });
 }
 
 viewer::Generate generateFor(const gpu::Context& context, const GpuFields& fields,
@@ -103,7 +104,8 @@ viewer::March& ProgressiveImage::march() {
     auto found = marches_.find(steps_);
     if (found == marches_.end()) {
         const auto [step, matter] = steps_;
-        const viewer::MarchSettings settings{step, matter, integrator_, options_.maxEvaluations, options_.stepsPerSlice};
+        const viewer::MarchSettings settings{step, matter, integrator_, options_.maxEvaluations, options_.stepsPerSlice,
+                                             fields_.insetBounds()};
         found = marches_.emplace(steps_, viewer::March(context_, allDefines(), settings, lattice_)).first;
     }
     return found->second;
@@ -142,6 +144,17 @@ void ProgressiveImage::setLight(const BakedLight& bake) {
     light_ = viewer::Light(context_, &bake, passes_.bandCount());
     configureLight();
     placeLight(batch_.view, bake, lattice_);
+    startOver();
+}
+
+void ProgressiveImage::moveInsets(const Fields& fields) {
+    fields_.moveInsets(fields);
+    if (clearance_) {
+        clearance_->move(fields);
+        clearance_->configure(batch_.view);
+    }
+    for (auto& [steps, march] : marches_) march.setInsets(fields_.insetBounds());
+    march().configure(batch_.view);
     startOver();
 }
 

@@ -42,6 +42,8 @@ public:
     void setCamera(const Camera& camera);
     /// Another bake, on any lattice. The image must have been made with one.
     void setLight(const BakedLight& bake);
+    /// The fields that the image was made of with its insets elsewhere: their grids, and all others, stay on the device.
+    void moveInsets(const Fields& fields);
     /// Arc length of a step, and longest piece on which matter is sampled once [voxels]. Throws badInput for a step that is not
     /// positive.
     void setStep(double stepVoxels, double matterVoxels = 1.0);

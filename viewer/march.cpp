@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "common/error.h"
 
@@ -13,6 +14,7 @@ namespace {
 // eight rays has one count, and in the worst case they take their turns one after the other.
 constexpr std::uint32_t kIterationsPerDispatch = 65535 / 8;
 constexpr std::uint32_t kIterationsPerFlight = 16;  // kSamplesPerFlight of shaders/viewer/flight.glsl
+constexpr std::uint32_t kIterationsPerFlightWithInsets = 4;
 constexpr std::uint32_t kMirrorCorrections = 2;     // of shaders/physics/mirror.glsl
 constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
 constexpr std::uint32_t kLeastEvaluations = 4096;
@@ -49,21 +51,39 @@ const char* defineOf(Integrator integrator) {
 
 std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& lattice) {
     if (settings.maxEvaluations > 0) return settings.maxEvaluations;
-    const double diagonalSteps = glm::length(glm::dvec3(lattice.size)) / settings.stepVoxels;
+    const double diagonalSteps = glm::length(glm::dvec3(lattice.size)) / (settings.stepVoxels * settings.insets.finestVoxel);
     const double evaluations = kDiagonals * diagonalSteps * evaluationsPerStep(settings.integrator);
     return std::max(kLeastEvaluations, std::uint32_t(std::min(evaluations, 1e9)));
 }
 
-/// Loop iterations of a step or flight: its own, those to a mirror, and of each sample of matter one and those over the
-/// voxels about it.
-std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, std::uint32_t samplesPerHalf) {
+bool isAmong(const std::vector<std::string>& defines, std::string_view define) {
+    return std::find(defines.begin(), defines.end(), define) != defines.end();
+}
+
+/// How often a step or flight looks at the fields, each quantity by itself: in its evaluations and those to a mirror, for the band
+/// of a boundary, twice for opaque matter, and for each kind of matter at each sample.
+std::uint32_t lookUpsPerStep(const std::vector<std::string>& defines, Integrator integrator, std::uint32_t toMirror,
+                             std::uint32_t samples) {
+    const std::uint32_t tries = integrator == Integrator::kLeapfrog ? 1 : 1 + kFaceTrials;
+    std::uint32_t lookUps = std::uint32_t(evaluationsPerStep(integrator)) * tries + toMirror + 1;
+    lookUps += isAmong(defines, "EFFECT_OPAQUE") ? 2 : 0;
+    for (const char* matter : {"EFFECT_ABSORPTION", "EFFECT_SCATTERING", "EFFECT_EMISSION"}) {
+        lookUps += isAmong(defines, matter) ? samples : 0;
+    }
+    return lookUps;
+}
+
+/// Loop iterations of a step or flight: its own, those to a mirror, of each sample of matter one and those over the voxels about
+/// it, and of each look-up those over insets.
+std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, const MarchSettings& settings) {
     constexpr std::uint32_t kVoxelsAbout = 8;
-    const auto has = [&](const char* define) {
-        return std::find(defines.begin(), defines.end(), define) != defines.end();
-    };
-    const std::uint32_t samples = std::max(has("STRAIGHT_FLIGHTS") ? kIterationsPerFlight : 1u, 2 * samplesPerHalf);
-    const std::uint32_t toMirror = has("FOLLOW_REFLECTIONS") ? kMirrorCorrections : 0;
-    return 1 + kFaceTrials + toMirror + samples * (has("LIGHT_LOBES") ? 1 + kVoxelsAbout : 1);
+    const std::uint32_t ofFlight = isAmong(defines, "INSETS") ? kIterationsPerFlightWithInsets : kIterationsPerFlight;
+    const std::uint32_t samples =
+        std::max(isAmong(defines, "STRAIGHT_FLIGHTS") ? ofFlight : 1u, 2 * samplesPerHalfOf(settings));
+    const std::uint32_t toMirror = isAmong(defines, "FOLLOW_REFLECTIONS") ? kMirrorCorrections : 0;
+    const std::uint32_t overInsets = std::uint32_t(settings.insets.mostAbout) *
+                                     lookUpsPerStep(defines, settings.integrator, toMirror, samples);
+    return 1 + kFaceTrials + toMirror + samples * (isAmong(defines, "LIGHT_LOBES") ? 1 + kVoxelsAbout : 1) + overInsets;
 }
 
 std::vector<std::string> withSteps(std::vector<std::string> defines, const MarchSettings& settings) {
@@ -77,16 +97,21 @@ std::vector<std::string> withSteps(std::vector<std::string> defines, const March
 
 March::March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
              const Lattice& lattice)
-    : samplesPerHalf_(samplesPerHalfOf(settings)),
-      maxEvaluations_(evaluationLimit(settings, lattice)),
-      stepsPerSlice_(settings.stepsPerSlice > 0 ? settings.stepsPerSlice
-                                                : kIterationsPerDispatch / iterationsPerStep(defines, samplesPerHalf_)),
-      stepLength_(settings.stepVoxels * lattice.voxel),
+    : defines_(defines), settings_(settings), lattice_(lattice),
       plain_(context, "viewer/march.comp.glsl", withSteps(defines, settings)),
-      eventful_(context, "viewer/event.comp.glsl", withSteps(defines, settings)) {}
+      eventful_(context, "viewer/event.comp.glsl", withSteps(defines, settings)) {
+    setInsets(settings.insets);
+}
+
+void March::setInsets(const InsetBounds& insets) {
+    settings_.insets = insets;
+    maxEvaluations_ = evaluationLimit(settings_, lattice_);
+    stepsPerSlice_ = settings_.stepsPerSlice > 0 ? settings_.stepsPerSlice
+                                                 : std::max(kIterationsPerDispatch / iterationsPerStep(defines_, settings_), 1u);
+}
 
 void March::configure(gpu::ViewBlock& view) const {
-    view.stepLength = float(stepLength_);
+    view.stepLength = float(settings_.stepVoxels * lattice_.voxel);
     view.maxEvaluations = maxEvaluations_;
     view.stepsPerSlice = stepsPerSlice_;
 }

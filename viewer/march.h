@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/inset_bricks.h"
 #include "common/lattice.h"
 #include "common/scene.h"
 #include "viewer/ray_batch.h"
@@ -18,16 +19,18 @@ struct MarchSettings {
     Integrator integrator = Integrator::kLeapfrog;
     std::uint32_t maxEvaluations = 0;  ///< and look-ups, by ray; 0: eight times the domain's diagonal, at least 4096
     std::uint32_t stepsPerSlice = 0;   ///< of one dispatch; 0: as many as every device finishes
+    InsetBounds insets{};              ///< of the fields, in whose finest voxels steps may have to be taken
 };
 
 class March {
 public:
     /// `defines`: effects, BAKED_LIGHT, LIGHT_LOBES, ENVIRONMENT_IMAGE, STRAIGHT_FLIGHTS, FOLLOW_REFLECTIONS,
-    /// MANUAL_FILTERING. Throws badInput
-    /// for a step that is not positive.
+    /// MANUAL_FILTERING, INSETS. Throws badInput for a step that is not positive.
     March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
           const Lattice& lattice);
 
+    /// The same insets have moved.
+    void setInsets(const InsetBounds& insets);
     /// Sets what the kernel reads of the settings.
     void configure(gpu::ViewBlock& view) const;
     /// Follows the rays that are listed as plain to their ends.
@@ -39,10 +42,11 @@ public:
     std::uint32_t mostSlices() const { return 2 * maxEvaluations_; }
 
 private:
-    std::uint32_t samplesPerHalf_;
-    std::uint32_t maxEvaluations_;
-    std::uint32_t stepsPerSlice_;
-    double stepLength_;
+    std::vector<std::string> defines_;
+    MarchSettings settings_;
+    Lattice lattice_;
+    std::uint32_t maxEvaluations_ = 0;
+    std::uint32_t stepsPerSlice_ = 0;
     gpu::Kernel plain_, eventful_;
 };
 

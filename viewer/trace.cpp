@@ -68,7 +68,8 @@ struct Tracer {
           given(context, std::min(rayCount, kRaysAtATime) * sizeof(gpu::GivenRay), "given rays"),
           generate(context, fields.defines(), viewer::Generate::Source::kGiven),
           march(context, defines,
-                {.stepVoxels = stepVoxelsOf(accuracy), .integrator = integratorOf(accuracy), .stepsPerSlice = rules.stepsPerSlice},
+                {.stepVoxels = stepVoxelsOf(accuracy), .integrator = integratorOf(accuracy), .stepsPerSlice = rules.stepsPerSlice,
+                 .insets = fields.insetBounds()},
                 sceneFields.lattice) {
         march.configure(batch.view);
         batch.view.bandChannel = gpu::kAllChannels;

@@ -49,7 +49,7 @@ private:
     std::size_t bytes_ = 0;
 };
 
-enum class TexelFormat { kR8, kRg8, kRgba8, kRgba32f, kR32f };
+enum class TexelFormat { kR8, kRg8, kRgba8, kRg16, kRgba32f, kR32f };
 
 /// A texture with one level and linear filtering. Volumes are clamped at their faces; images repeat along u and are clamped
 /// along v (latitude-longitude maps). Throws badInput if the size is beyond the device.
@@ -63,7 +63,7 @@ public:
     Texture& operator=(Texture&& other) noexcept;
     ~Texture();
 
-    /// Tightly packed texels of the texture's own format (R8, RG8, RGBA8: bytes, others: floats), x fastest.
+    /// Tightly packed texels of the texture's own format (R8, RG8, RGBA8: bytes, RG16: 16-bit words, others: floats), x fastest.
     void upload(const void* texels);
     /// Reads of a texture of one channel give its value in red, green and blue, and 0 in alpha.
     void showGrey();

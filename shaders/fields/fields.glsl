@@ -1,6 +1,7 @@
 // The optical constants of the scene at a world position. Only what an effect asks for has a texture.
 #include "fields/trilinear.glsl"
 #include "physics/dispersion.glsl"
+#include "shared/brick.h"
 #include "shared/domain_block.h"
 
 // A grid on the domain's lattice at a world position.
@@ -12,6 +13,39 @@ struct Optics {
     float n;
     vec3 gradN;  // [1 / scene unit]
 };
+
+#ifdef INSETS
+#include "fields/insets.glsl"
+#else
+
+// What objects with lattices of their own put over the domain's grids: none has one.
+float finestVoxelAbout(vec3 x) {
+    return 1.0;
+}
+
+#define overDomain(x, below, quantity) (below)
+#define bandOverDomain(x, below) (below)
+#define surfaceOverDomain(x, below) (below)
+#define matterOverDomain(x, below, quantity) (below)
+#define scatteringOverDomain(x, below) (below)
+#define opaqueOverDomain(x, below) (below)
+#endif
+
+// Edge of the finest voxel about x [scene units].
+float voxelAt(vec3 x) {
+    return domainVoxel * finestVoxelAbout(x);
+}
+
+// The voxel of a grid on the domain's lattice that x lies in. A grid that only objects with lattices of their own call for has
+// one voxel.
+ivec3 voxelAbout(vec3 x, sampler3D grid) {
+#ifdef INSETS
+    ivec3 size = textureSize(grid, 0);
+#else
+    ivec3 size = domainSize;
+#endif
+    return clamp(ivec3(floor((x - domainMin) / domainVoxel)), ivec3(0), size - 1);
+}
 
 #ifdef EFFECT_REFRACTION
 layout(binding = kUnitOptics) uniform sampler3D opticsGrid;
@@ -55,15 +89,16 @@ vec4 sampleCauchy(vec3 x, vec4 optics) {
 
 // At the wavelength of the dispatch.
 Optics sampleOptics(vec3 x) {
-    vec4 texel = fetchOptics(x);
-    vec4 cauchy = sampleCauchy(x, texel);
+    vec4 domain = fetchOptics(x);
+    vec4 cauchy = overDomain(x, sampleCauchy(x, domain), kInsetDispersion);
+    vec4 texel = overDomain(x, domain, kInsetIndex);
     hasMetDispersion = hasMetDispersion || cauchy != vec4(0.0);
     return Optics(dispersedIndex(texel.a, cauchy.a, domainDispersion),
                   dispersedGradient(texel.rgb, cauchy.rgb, domainDispersion));
 }
 #elif defined(EFFECT_REFRACTION)
 Optics sampleOptics(vec3 x) {
-    vec4 texel = fetchOptics(x);
+    vec4 texel = overDomain(x, fetchOptics(x), kInsetIndex);
     return Optics(texel.a, texel.rgb);
 }
 #else
@@ -77,8 +112,7 @@ layout(binding = kUnitInterface) uniform sampler3D interfaceGrid;
 
 // Whether the voxel that x lies in belongs to the band of a boundary.
 bool inInterface(vec3 x) {
-    ivec3 index = ivec3(floor((x - domainMin) / domainVoxel));
-    return texelFetch(interfaceGrid, clamp(index, ivec3(0), domainSize - 1), 0).r > 0.5;
+    return bandOverDomain(x, texelFetch(interfaceGrid, voxelAbout(x, interfaceGrid), 0).r > 0.5);
 }
 #endif
 
@@ -87,8 +121,7 @@ layout(binding = kUnitSurface) uniform sampler3D surfaceGrid;
 
 // Of a boundary in the voxel that x lies in: factor on what it reflects in rgb, roughness in alpha.
 vec4 surfaceAt(vec3 x) {
-    ivec3 index = ivec3(floor((x - domainMin) / domainVoxel));
-    return texelFetch(surfaceGrid, clamp(index, ivec3(0), domainSize - 1), 0);
+    return surfaceOverDomain(x, texelFetch(surfaceGrid, voxelAbout(x, surfaceGrid), 0));
 }
 #endif
 
@@ -97,7 +130,7 @@ layout(binding = kUnitSigmaA) uniform sampler3D sigmaAGrid;
 
 // Absorption [1 / scene unit].
 vec3 sampleSigmaA(vec3 x) {
-    return sampleGrid(sigmaAGrid, x).rgb;
+    return matterOverDomain(x, sampleGrid(sigmaAGrid, x).rgb, kInsetAbsorption);
 }
 #endif
 
@@ -106,7 +139,7 @@ layout(binding = kUnitSigmaS) uniform sampler3D sigmaSGrid;
 
 // Scattering in rgb [1 / scene unit], Henyey-Greenstein g in alpha.
 vec4 sampleSigmaS(vec3 x) {
-    return sampleGrid(sigmaSGrid, x);
+    return scatteringOverDomain(x, sampleGrid(sigmaSGrid, x));
 }
 #endif
 
@@ -115,7 +148,7 @@ layout(binding = kUnitEmission) uniform sampler3D emissionGrid;
 
 // Radiance per scene unit.
 vec3 sampleEmission(vec3 x) {
-    return sampleGrid(emissionGrid, x).rgb;
+    return matterOverDomain(x, sampleGrid(emissionGrid, x).rgb, kInsetEmission);
 }
 #endif
 
@@ -124,6 +157,6 @@ layout(binding = kUnitOpaque) uniform sampler3D opaqueGrid;
 
 // Albedo in rgb, coverage by opaque matter in alpha.
 vec4 sampleOpaque(vec3 x) {
-    return sampleGrid(opaqueGrid, x);
+    return opaqueOverDomain(x, sampleGrid(opaqueGrid, x));
 }
 #endif

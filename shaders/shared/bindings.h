@@ -19,6 +19,8 @@ const int kUnitClearance = 10;      // bricks to the next that bends rays in red
 const int kUnitDispersion = 11;     // grad B in rgb [micrometres^2 / scene unit], Cauchy's B in alpha [micrometres^2]
 const int kUnitSurface = 12;        // of boundaries: factor on what they reflect in rgb, roughness in alpha (viewer)
 const int kUnitDetail = 13;         // bricks to the next that rays voxels apart may pass unseen (light simulator)
+const int kUnitInsetValues = 14;    // atlas of objects with lattices of their own (shared/inset_blocks.h)
+const int kUnitInsetExtents = 15;   // the same: area coverage in red, 1 in green inside the band of the boundary
 
 // Table of lobes: a row is a voxel's three, the strongest first, each irradiance and flux vector over it; so many rows lie
 // side by side.

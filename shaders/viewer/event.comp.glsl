@@ -19,6 +19,7 @@ void kick(inout RayState ray, inout Step taken, float ds) {
 // A step that may end at the face, which the first half of it may reach.
 Step carefulStep(inout RayState ray) {
     Step taken;
+    float usual = usualStepAt(ray.x);
     float ds = nextStepLength(ray);
     taken.start = ray.x;
     taken.nBefore = ray.n;
@@ -31,7 +32,7 @@ Step carefulStep(inout RayState ray) {
     taken.second = 0.0;
     if (ray.status == kMarching) {
         kick(ray, taken, ds);
-        taken.second = ds < stepLength ? lastDrift(ray, 0.5 * ds) : drift(ray, 0.5 * ds);
+        taken.second = ds < usual ? lastDrift(ray, 0.5 * ds) : drift(ray, 0.5 * ds);
     }
     taken.end = ray.x;
     taken.wEnd = ray.w;
@@ -43,12 +44,13 @@ Step carefulStep(inout RayState ray) {
 // A step that may end at the face: there it is taken again until it has the length that ends on it.
 Step carefulStep(inout RayState ray) {
     Ray start = Ray(ray.x, ray.w);
+    float usual = usualStepAt(ray.x);
     float ds = nextStepLength(ray);
-    bool last = ds < stepLength;
+    bool last = ds < usual;
     RayStep next = stepRay(start, ds);
     for (int i = 0; i < kFaceTrials && (last || outside(next.ray.x)); ++i) {
         last = true;
-        ds = clamp(ds + signedDistanceToFace(next.ray), kShortestStep * stepLength, stepLength);
+        ds = clamp(ds + signedDistanceToFace(next.ray), kShortestStep * usual, usual);
         next = stepRay(start, ds);
     }
     Step taken = stepOf(ray, next, ds);

@@ -13,10 +13,11 @@ float distanceToFace(RayState ray) {
 const float kShortestStep = 1e-3;
 
 float nextStepLength(RayState ray) {
-    if (!outside(driftByLength(Ray(ray.x, ray.w), stepLength).x)) {
-        return stepLength;
+    float usual = usualStepAt(ray.x);
+    if (!outside(driftByLength(Ray(ray.x, ray.w), usual).x)) {
+        return usual;
     }
-    return clamp(distanceToFace(ray), kShortestStep * stepLength, stepLength);
+    return clamp(distanceToFace(ray), kShortestStep * usual, usual);
 }
 
 // Moves the ray straight on, to the face of the domain at most; the length it went.

@@ -20,7 +20,11 @@ struct Clearance {
 // Flights end this far inside the next brick, so that the next look-up is there.
 const float kBeyondBrick = 1e-3;    // voxels
 // Matter that varies is sampled every MATTER_VOXELS voxels, this often before the ray looks about again.
+#ifdef INSETS
+const int kSamplesPerFlight = 4;  // each has loops over insets, and a dispatch has few turns of loops
+#else
 const int kSamplesPerFlight = 16;
+#endif
 
 // Clearances are Chebyshev distances in bricks: the box that reaches so many bricks less one beyond x's own is free. It counts as
 // a little larger, so that a ray that runs along a face of it, to rounding, is not held up there.

@@ -48,3 +48,9 @@ float meanIndex(RayStep taken, float ds) {
     return taken.opticalLength / ds;
 #endif
 }
+
+// Arc length of a step from x where no face is near: `stepLength` counts the domain's voxels, which are not the finest about
+// objects with lattices of their own.
+float usualStepAt(vec3 x) {
+    return stepLength * finestVoxelAbout(x);
+}

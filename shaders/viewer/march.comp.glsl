@@ -14,7 +14,8 @@ bool stepAlong(inout RayState ray, inout uint left) {
     bool eventful = false;
     bool goes = isPlain(ray, left);
     do {
-        Step next = stepOf(ray, stepRay(Ray(ray.x, ray.w), stepLength), stepLength);
+        float ds = usualStepAt(ray.x);
+        Step next = stepOf(ray, stepRay(Ray(ray.x, ray.w), ds), ds);
         ray.evaluations += goes ? kEvaluationsPerStep : 0u;
         eventful = goes && isEventful(ray, next);
         if (goes && !eventful) {

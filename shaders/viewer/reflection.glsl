@@ -76,7 +76,7 @@ bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised 
     if (waiting >= uint(kMostWaiting) || !isWorthFollowing(ray, throughput)) {
         return false;
     }
-    Ray met = rayAtIndex(steepest.ray, 0.5 * (nStart + nEnd), stepLength);
+    Ray met = rayAtIndex(steepest.ray, 0.5 * (nStart + nEnd), usualStepAt(steepest.ray.x));
     Ray reflected = rayFromMirror(met, away);
     ray.evaluations += uint(2 * kMirrorCorrections + 1);
     reflections[rayIndex].list[waiting] = Reflection(reflected.x, throughput.s, reflected.w, throughput.p,

@@ -12,9 +12,10 @@ layout(local_size_x = kRaysPerGroup) in;
 // Outward normal from the coverage around x; where that is flat, on a cut face of the matter, towards the eye.
 vec3 surfaceNormal(vec3 x, vec3 direction) {
     vec3 gradient;
+    float voxel = voxelAt(x);
     for (int axis = 0; axis < 3; ++axis) {
         vec3 offset = vec3(0.0);
-        offset[axis] = domainVoxel;
+        offset[axis] = voxel;
         gradient[axis] = sampleOpaque(x + offset).a - sampleOpaque(x - offset).a;
     }
     float magnitude = length(gradient);
@@ -36,7 +37,7 @@ vec3 surfaceRadiance(vec3 x, vec3 normal) {
     received += fluxOnto(x + normal * opaqueOffset, normal) / kPi;
 #endif
     // Coverage thins out over the last voxel of an object, and its albedo with it is only certain inside.
-    return sampleOpaque(x - 0.5 * normal * domainVoxel).rgb * received;
+    return sampleOpaque(x - 0.5 * normal * voxelAt(x)).rgb * received;
 }
 
 #endif

@@ -88,7 +88,7 @@ TEST(Effects, TheSceneMayLeaveEffectsOut) {
 TEST(SceneSummary, CountsBytesOfWhatIsOn) {
     const Scene scene = sceneOf("[domain]\nresolution = 10\n[[light]]\n[medium]\nscattering = 1\n[render]\n"
                                 "size = [20, 10]\nsamples = 2\n");
-    const nlohmann::json summary = sceneSummary(scene, composeFields(scene));
+    const nlohmann::json summary = sceneSummary(scene, composeStageFields(scene));
     EXPECT_EQ(summary["lattice"]["voxels"], 1000);
     EXPECT_EQ(summary["memory_bytes"], 1000 * 16);  // three bands of scattering and g, float
     EXPECT_EQ(summary["cost"]["image_rays"], 400);
@@ -97,7 +97,7 @@ TEST(SceneSummary, CountsBytesOfWhatIsOn) {
     const Scene many = sceneOf("[domain]\nresolution = 10\n[[light]]\n[[light]]\ntype = \"rectangle\"\nsamples = 4\n"
                                "[medium]\nscattering = 1\n[environment]\nbake = true\nlights = 8\n");
     // one beam and eight of the sky at a patch for each voxel, four points at three faces for each layer
-    EXPECT_EQ(sceneSummary(many, composeFields(many))["cost"]["bake_patch_steps"], 9 * 1000 + 4 * 3 * 1000);
+    EXPECT_EQ(sceneSummary(many, composeStageFields(many))["cost"]["bake_patch_steps"], 9 * 1000 + 4 * 3 * 1000);
     for (const auto& row : summary["effects"])
         EXPECT_EQ(row["bytes"].get<int>(), row["name"] == "scattering" ? 16000 : 0) << row;
 }

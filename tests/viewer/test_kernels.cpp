@@ -15,7 +15,8 @@ std::vector<KernelVariant> variants() {
     const std::vector<std::string> switches = {
         "EFFECT_REFRACTION", "EFFECT_ABSORPTION",  "EFFECT_SCATTERING", "EFFECT_EMISSION", "EFFECT_REFLECTION",
         "EFFECT_OPAQUE",     "EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE", "BAKED_LIGHT",     "STRAIGHT_FLIGHTS",
-        "LIGHT_LOBES",       "MANUAL_FILTERING",   "FOLLOW_REFLECTIONS", "EFFECT_TINT",       "EFFECT_ROUGHNESS"};
+        "LIGHT_LOBES",       "MANUAL_FILTERING",   "FOLLOW_REFLECTIONS", "EFFECT_TINT",       "EFFECT_ROUGHNESS",
+        "INSETS"};
     std::vector<KernelVariant> rows = {{"viewer/accumulate.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {}},
                                        {"viewer/tone_map.comp.glsl", {"TONE_AGX"}},
@@ -33,6 +34,8 @@ std::vector<KernelVariant> variants() {
     }
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION"});  // never without refraction
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "DISPERSION_BY_REFRACTIVITY"});
+    subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "INSETS"});
+    subsets.push_back({"EFFECT_REFRACTION", "CUBIC_INTERPOLATION", "INSETS"});
     subsets.push_back({"EFFECT_REFRACTION", "CUBIC_INTERPOLATION"});
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "CUBIC_INTERPOLATION"});
     subsets.push_back({"EFFECT_SCATTERING", "BAKED_LIGHT", "ISOTROPIC_SCATTERING"});
@@ -64,6 +67,7 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/picture.comp.glsl", look));
         rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"EFFECT_REFRACTION", "BAKED_LIGHT"}));
         rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"BAKED_LIGHT", "MANUAL_FILTERING"}));
+        rows.push_back(test::variant("viewer/picture.comp.glsl", look, {"EFFECT_REFRACTION", "INSETS"}));
     }
     return rows;
 }

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "common/scene_toml.h"
+#include "tests/support/temporary_folder.h"
+#include "viewer/window/document.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/redo.h"
 
@@ -44,6 +46,29 @@ TEST(Redo, OnlyWhatDependsOnTheValue) {
 TEST(Redo, AnEnvironmentThatLightsTheBakeIsLight) {
     EXPECT_EQ(redoFor(with({"environment.bake=true"}), with({"environment.bake=true", "environment.rotate=30"})),
               (Redo{.image = true, .light = true}));
+}
+
+TEST(Redo, AnObjectWithALatticeOfItsOwnMovesWithoutIt) {
+    const Scene here = with({"object.0.resolution=40"});
+    for (const char* move : {"object.0.translate=[0.1, 0, 0]", "object.0.rotate=[0, 10, 0]", "object.0.scale=0.5"}) {
+        EXPECT_EQ(redoFor(here, with({"object.0.resolution=40", move})), (Redo{.insets = true, .light = true})) << move;
+        EXPECT_TRUE(redoFor(with({}), with({move})).fields) << "on the domain's lattice it does not";
+    }
+    EXPECT_TRUE(redoFor(here, with({"object.0.resolution=41"})).fields);
+    EXPECT_TRUE(redoFor(here, with({"object.0.resolution=40", "object.0.ior=1.4"})).fields);
+}
+
+TEST(Redo, ADocumentKeepsTheGridsOfWhatMoves) {
+    const test::TemporaryFolder folder;
+    Document document(folder.write("scene.toml", kScene), {"object.0.resolution=40", "domain.resolution=16"});
+    const auto insetOf = [&] { return document.image().fields->insets.at(0); };
+    const Inset before = insetOf();
+    EXPECT_TRUE(document.light().fields->insets.empty());
+    document.set("object.ball.translate=[0.25, 0, 0]");
+    EXPECT_EQ(insetOf().grids, before.grids);
+    EXPECT_EQ(insetOf().worldFromLocal[3].x, 0.25);
+    document.set("object.ball.ior=1.4");
+    EXPECT_NE(insetOf().grids, before.grids);
 }
 
 TEST(Panel, SwitchesOneEffectAndLeavesTheOthers) {

@@ -7,10 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include "common/fields.h"
 #include "common/gpu/context.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
+#include "common/stage_fields.h"
 #include "lightsim/bake.h"
 #include "tools/bench/bar_chart.h"
 #include "tools/bench/effect_ladder.h"
@@ -49,8 +49,8 @@ void runLadder(const LadderArguments& arguments, const ProgramOptions& options) 
     const Scene scene = sceneOf(arguments.scene);
     const gpu::Context context = gpu::Context::windowless();
     Progress progress(options);
-    const Fields fields = composeFields(scene);
-    const EffectSet effects = decideEffects(scene, fields);
+    const StageFields stages = composeStageFields(scene);
+    const EffectSet& effects = stages.image.effects;
     const auto report = [&](const char* stage) {
         return [&progress, stage](double fraction) {
             throwIfInterrupted();
@@ -61,9 +61,9 @@ void runLadder(const LadderArguments& arguments, const ProgramOptions& options) 
     if (effects.wantsLight(scene)) {
         BakeOptions bakeOptions;
         bakeOptions.progress = report("simulating light");
-        light = bakeScene(context, scene, fields, effects, bakeOptions).light;
+        light = bakeScene(context, scene, *stages.light.fields, stages.light.effects, bakeOptions).light;
     }
-    const auto rungs = bench::climbLadder(context, scene, fields, effects, light ? &*light : nullptr, arguments.repeats,
+    const auto rungs = bench::climbLadder(context, scene, *stages.image.fields, effects, light ? &*light : nullptr, arguments.repeats,
                                           report("rendering"));
     progress.finish();
     if (arguments.output.empty()) {

@@ -35,7 +35,7 @@ void printRates(const bench::MarchRates& rates, const std::string& device) {
 void runSpeed(const SpeedArguments& arguments, const ProgramOptions& options) {
     const Scene scene = sceneOf(arguments.scene);
     const gpu::Context context = gpu::Context::windowless();
-    const Fields fields = composeFields(scene);
+    const Fields fields = composeImageFields(scene);
     const bench::MarchRates rates = bench::measureMarchRates(context, scene, fields, arguments.repeats);
     printRates(rates, context.rendererName());
     note(options, fmt::format("marching has {:.0f} % of the rate of dependent fetches; flights need {:.1f} times fewer",

@@ -91,13 +91,21 @@ Scene sceneOf(const std::filesystem::path& file, const std::vector<std::string>&
 
 Document::Document(const std::filesystem::path& file, const std::vector<std::string>& overrides)
     : file_(file), overrides_(overrides), scene_(sceneOf(file, overrides)),
-      fields_(std::make_shared<const Fields>(composeFields(scene_))), effects_(decideEffects(scene_, *fields_)) {}
+      stages_(composeStageFields(scene_)) {}
 
 Redo Document::replace(Scene scene) {
     const Redo redo = redoFor(scene_, scene);
-    if (redo.fields) fields_ = std::make_shared<const Fields>(composeFields(scene));
+    StageFields stages = stages_;
+    if (redo.fields) {
+        stages = composeStageFields(scene);
+    } else if (redo.insets) {
+        stages = movedStageFields(scene, stages_);
+    }
+    if (redo.image) {
+        for (FieldsOfStage* stage : {&stages.light, &stages.image}) stage->effects = decideEffects(scene, *stage->fields);
+    }
     scene_ = std::move(scene);
-    if (redo.fields || redo.image) effects_ = decideEffects(scene_, *fields_);
+    stages_ = std::move(stages);
     return redo;
 }
 
@@ -109,11 +117,9 @@ Redo Document::set(const std::string& override) {
 
 void Document::reload() {
     Scene scene = sceneOf(file_, overrides_);
-    auto fields = std::make_shared<const Fields>(composeFields(scene));
-    effects_ = decideEffects(scene, *fields);
+    stages_ = composeStageFields(scene);
     scene.camera = scene_.camera;
     scene_ = std::move(scene);
-    fields_ = std::move(fields);
 }
 
 std::vector<std::filesystem::path> Document::files() const {

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "common/effects.h"
-#include "common/fields.h"
 #include "common/scene.h"
+#include "common/stage_fields.h"
 #include "viewer/window/redo.h"
 
 namespace eikonal::window {
@@ -16,19 +15,22 @@ namespace eikonal::window {
 class Document {
 public:
     /// A scene, a volume, or a mesh, which gets the surroundings of a bare volume and the index of glass. Throws badInput as
-    /// loadScene and composeFields.
+    /// loadScene and composeStageFields.
     Document(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
     const Scene& scene() const { return scene_; }
-    const std::shared_ptr<const Fields>& fields() const { return fields_; }
-    const EffectSet& effects() const { return effects_; }
-    bool wantsLight() const { return effects_.wantsLight(scene_); }
+    /// As viewing rays see the scene.
+    const FieldsOfStage& image() const { return stages_.image; }
+    /// As light does.
+    const FieldsOfStage& light() const { return stages_.light; }
+    const Lattice& domain() const { return stages_.image.fields->lattice; }
+    bool wantsLight() const { return stages_.image.effects.wantsLight(scene_); }
     const std::filesystem::path& file() const { return file_; }
 
     void setCamera(const Camera& camera) { scene_.camera = camera; }
     void setLight(std::size_t index, const Light& light) { scene_.lights[index] = light; }
     /// Another scene in place of this one, with fields and effects where they depend on what differs.
-    /// Throws badInput as composeFields; the document is then as it was.
+    /// Throws badInput as composeStageFields; the document is then as it was.
     Redo replace(Scene scene);
     /// "key.path=value", as --set has it. Throws badInput for what the scene file would refuse; the same then.
     Redo set(const std::string& override);
@@ -44,8 +46,7 @@ private:
     std::filesystem::path file_;
     std::vector<std::string> overrides_;
     Scene scene_;
-    std::shared_ptr<const Fields> fields_;
-    EffectSet effects_;
+    StageFields stages_;
 };
 
 } // namespace eikonal::window

@@ -58,7 +58,7 @@ std::vector<TraceRay> raysOfLight(const Light& light, const Lattice& domain) {
 
 std::vector<RayPath> followedRays(const gpu::Context& context, const Document& document,
                                   const std::optional<glm::dvec2>& pointer, double aspect) {
-    const Lattice& domain = document.fields()->lattice;
+    const Lattice& domain = document.domain();
     std::vector<TraceRay> rays;
     for (const Light& light : document.scene().lights) {
         for (const TraceRay& ray : raysOfLight(light, domain)) rays.push_back(ray);
@@ -73,7 +73,7 @@ std::vector<RayPath> followedRays(const gpu::Context& context, const Document& d
     }
     std::vector<TraceResult> ends(rays.size());
     for (const TracePoint& point :
-         tracePaths(context, *document.fields(), document.effects(), document.scene().accuracy, rays)) {
+         tracePaths(context, *document.image().fields, document.image().effects, document.scene().accuracy, rays)) {
         paths[point.ray].points.push_back(point.at.position);
         ends[point.ray] = point.at;
     }

@@ -20,9 +20,21 @@ std::map<std::string, std::string> valuesOf(const Scene& scene) {
 
 bool startsWith(const std::string& text, std::string_view start) { return text.rfind(start, 0) == 0; }
 
+bool endsWith(const std::string& text, std::string_view end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Whether a key says where an object with a lattice of its own is, which does not change what is on the lattice.
+bool movesInset(const std::string& key, const Scene& scene) {
+    if (!endsWith(key, ".translate") && !endsWith(key, ".rotate") && !endsWith(key, ".scale")) return false;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (scene.objects[i].resolution && startsWith(key, "object." + std::to_string(i) + ".")) return true;
+    }
+    return false;
+}
+
 void note(const std::string& key, const Scene& after, Redo& redo) {
-    const bool name = key.size() > 5 && key.compare(key.size() - 5, 5, ".name") == 0;
-    if (name || key == "render.size") return;
+    if (endsWith(key, ".name") || key == "render.size") return;
     if (startsWith(key, "camera.")) {
         redo.camera = true;
     } else if (key == "render.exposure") {
@@ -34,6 +46,8 @@ void note(const std::string& key, const Scene& after, Redo& redo) {
         redo.light = redo.light || after.environment.bake || key == "environment.bake";
     } else if (startsWith(key, "render.") && key != "render.effects") {
         redo.image = true;
+    } else if (movesInset(key, after)) {
+        redo.insets = true;
     } else if (startsWith(key, "domain.") || startsWith(key, "medium.") || startsWith(key, "object.")) {
         redo.fields = true;
     } else if (key == "render.effects") {
@@ -58,7 +72,7 @@ Redo redoFor(const Scene& before, const Scene& after) {
     }
     redo.fields = redo.fields || interpolationOf(before.accuracy) != interpolationOf(after.accuracy);
     redo.image = redo.image || redo.fields;
-    redo.light = redo.light || redo.fields;
+    redo.light = redo.light || redo.fields || redo.insets;
     return redo;
 }
 

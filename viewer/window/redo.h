@@ -9,6 +9,7 @@ struct Redo {
     bool camera = false;
     bool exposure = false;
     bool image = false;   ///< kernels and textures of the image
+    bool insets = false;  ///< where objects with a resolution of their own are, and with it light
     bool fields = false;  ///< what lies on the grid, and with it image and light
     bool light = false;   ///< the bake
 

@@ -60,6 +60,11 @@ void Session::setLight(const BakedLight& light) {
     changed_ = true;
 }
 
+void Session::moveInsets(const Fields& fields) {
+    image_.moveInsets(fields);
+    changed_ = true;
+}
+
 void Session::setExposure(double ev) {
     image_.setExposure(ev);
     repaint();

@@ -23,6 +23,8 @@ public:
     void resize(const glm::ivec2& pixels);
     void setCamera(const Camera& camera);
     void setLight(const BakedLight& light);
+    /// As ProgressiveImage::moveInsets.
+    void moveInsets(const Fields& fields);
     void setExposure(double ev);
     void setLook(const viewer::LookSettings& look);
     /// An image of the same size that the refined picture is compared with by the look that shows errors; nullptr: none yet.

@@ -18,7 +18,7 @@ std::optional<BakedLight> lightOf(const gpu::Context& context, const Document& d
     if (!document.wantsLight()) return std::nullopt;
     BakeOptions bakeOptions;
     bakeOptions.progress = [&](double fraction) { options.progress("simulating light", fraction); };
-    return bakeScene(context, document.scene(), *document.fields(), document.effects(), bakeOptions).light;
+    return bakeScene(context, document.scene(), *document.light().fields, document.light().effects, bakeOptions).light;
 }
 
 } // namespace
@@ -29,7 +29,7 @@ void writeTurntable(const TurntableOptions& options) {
     const std::optional<BakedLight> light = lightOf(context, document, options);
     Scene scene = document.scene();
     const Camera start = scene.camera;
-    ProgressiveImage image(context, scene, *document.fields(), document.effects(), light ? &*light : nullptr, {});
+    ProgressiveImage image(context, scene, *document.image().fields, document.image().effects, light ? &*light : nullptr, {});
     for (int frame = 0; frame < options.frames; ++frame) {
         scene.camera = orbited(start, {kTurn * frame / options.frames, 0.0});
         image.setCamera(scene.camera);

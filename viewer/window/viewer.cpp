@@ -34,7 +34,7 @@ bool Viewer::frame() {
         pixels_ = size;
         session_->resize(size);
         attempt([&] { session_->advance(newLight()); });
-        if (session_->isRefined()) costs_.measured(document_.effects(), session_->secondsPerRay());
+        if (session_->isRefined()) costs_.measured(document_.image().effects, session_->secondsPerRay());
         estimateError();
         followFronts();
         saveWhenSettled();

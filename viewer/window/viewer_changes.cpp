@@ -56,7 +56,11 @@ void Viewer::adopt(Document document, const Redo& redo, OldLight oldLight) {
     pictureChanges();
     document_ = std::move(document);
     if (oldLight == OldLight::kGoes) light_.reset();
-    if (session) session_ = std::move(session);
+    if (session) {
+        session_ = std::move(session);
+    } else if (redo.insets) {
+        session_->moveInsets(*document_.image().fields);
+    }
     if (redo.camera) session_->setCamera(scene().camera);
     if (redo.exposure) session_->setExposure(scene().render.exposureEv);
     if (redo.light) startBake();
@@ -71,7 +75,7 @@ std::uint64_t Viewer::startBake() {
     roughIsAsked_ = false;
     frontsAreStale_ = true;
     if (!document_.wantsLight()) return 0;
-    return bake_.start({scene(), document_.fields(), document_.effects(), keyframe_});
+    return bake_.start({scene(), document_.light().fields, document_.light().effects, keyframe_});
 }
 
 void Viewer::takeLight() {
@@ -94,10 +98,10 @@ NewLight Viewer::newLight() const {
 }
 
 std::unique_ptr<Session> Viewer::sessionFor(const Document& document, OldLight oldLight) const {
-    const BakedLight dark = darkness(document.fields()->lattice);
+    const BakedLight dark = darkness(document.domain());
     const BakedLight* known = light_ && oldLight == OldLight::kStays ? &light_->light : &dark;
     const BakedLight* light = document.wantsLight() ? known : nullptr;
-    auto session = std::make_unique<Session>(window_.context(), document.scene(), *document.fields(), document.effects(), light,
+    auto session = std::make_unique<Session>(window_.context(), document.scene(), *document.image().fields, document.image().effects, light,
                                              options_.frameSeconds);
     session->resize(pixels_);
     session->setLook(look_);

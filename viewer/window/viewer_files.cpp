@@ -82,7 +82,7 @@ void Viewer::saveWhenSettled() {
 }
 
 void Viewer::saveLight(const std::filesystem::path& file) {
-    options_.saveLight(file, scene(), *document_.fields(), {light_->light, light_->statistics, {}});
+    options_.saveLight(file, scene(), *document_.light().fields, {light_->light, light_->statistics, {}});
     options_.print(file.string());
     say("saved " + file.string(), false);
 }

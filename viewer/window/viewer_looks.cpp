@@ -14,7 +14,7 @@ constexpr double kFrontPassesPerSecond = 0.25;  // through the domain
 } // namespace
 
 void Viewer::chooseLook(viewer::LookSettings look) {
-    if (look.look != look_.look) look = withRange(look, *document_.fields(), light_ ? &light_->light : nullptr);
+    if (look.look != look_.look) look = withRange(look, *document_.image().fields, light_ ? &light_->light : nullptr);
     if (look.sliceAxis != look_.sliceAxis) look.slicePosition = middleOf(domain(), look.sliceAxis);
     if (look.look != viewer::Look::kError) dropEstimate();
     look_ = look;
@@ -46,13 +46,13 @@ void Viewer::estimateError() {
     if (!estimates() || !session_->isRefined() || bake_.isBusy()) return;
     if (document_.wantsLight() && !roughLight_) {
         if (!std::exchange(roughIsAsked_, true)) {
-            bake_.start({scene(), document_.fields(), document_.effects(), keyframe_, true});
+            bake_.start({scene(), document_.light().fields, document_.light().effects, keyframe_, true});
         }
         return;
     }
     const BakedLight* light = document_.wantsLight() ? &roughLight_->light : nullptr;
     if (!estimate_) {
-        estimate_ = std::make_unique<ErrorEstimate>(window_.context(), scene(), *document_.fields(), document_.effects(), light,
+        estimate_ = std::make_unique<ErrorEstimate>(window_.context(), scene(), *document_.image().fields, document_.image().effects, light,
                                                     session_->shown().size);
     }
     if (estimate_->isDone()) return;

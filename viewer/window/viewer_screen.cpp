@@ -51,10 +51,10 @@ void Viewer::drawPanels() {
     drawHud(hudState());
     const double pixels = double(pixels_.x) * double(pixels_.y);
     const auto cost = [&](Effect effect) -> std::optional<double> {
-        const auto perRay = costs_.cost(document_.effects(), effect);
+        const auto perRay = costs_.cost(document_.image().effects, effect);
         return perRay ? std::optional(*perRay * pixels) : std::nullopt;
     };
-    answerPanel(panel_.draw({scene(), document_.effects(), domain(), look_, overlays_, accuracyReport(), cost}));
+    answerPanel(panel_.draw({scene(), document_.image().effects, domain(), look_, overlays_, accuracyReport(), cost}));
 }
 
 void Viewer::answerPanel(const PanelAnswer& answer) {

@@ -104,7 +104,7 @@ private:
 
     bool isSettled() const;
     const Scene& scene() const { return document_.scene(); }
-    const Lattice& domain() const { return document_.fields()->lattice; }
+    const Lattice& domain() const { return document_.domain(); }
     double aspect() const { return double(pixels_.x) / double(pixels_.y); }
     std::optional<std::size_t> lightUnderPointer() const;
     /// Seconds that moves are made by: replayed ones do not depend on the clock.

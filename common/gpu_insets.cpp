@@ -1,0 +1,179 @@
+#include "common/gpu_insets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+
+#include "common/atlas.h"
+#include "common/device_frame.h"
+#include "shaders/shared/bindings.h"
+
+namespace eikonal {
+
+namespace {
+
+static_assert(sizeof(InsetBrick) == 8 && offsetof(InsetBrick, finestVoxel) == 4);  // a uvec2 of the shading language
+
+/// The effect that a quantity of an inset is uploaded for; none: it is never more than four numbers.
+std::optional<Effect> effectOf(int quantity) {
+    switch (quantity) {
+        case gpu::kInsetCoverage:
+        case gpu::kInsetIndex: return Effect::kRefraction;
+        case gpu::kInsetDispersion: return Effect::kDispersion;
+        case gpu::kInsetAbsorption: return Effect::kAbsorption;
+        case gpu::kInsetScattering: return Effect::kScattering;
+        case gpu::kInsetEmission: return Effect::kEmission;
+        case gpu::kInsetOpaque: return Effect::kOpaque;
+        default: return std::nullopt;
+    }
+}
+
+bool needsExtents(const EffectSet& effects) {
+    constexpr std::array kEffects{Effect::kAbsorption, Effect::kScattering, Effect::kEmission, Effect::kReflection,
+                                  Effect::kOpaque};
+    return std::any_of(kEffects.begin(), kEffects.end(), [&](Effect effect) { return effects.has(effect); });
+}
+
+/// Texels that lie x fastest in a box, copied to where the atlas has it.
+template <class Texel>
+void copyBox(const std::vector<Texel>& box, const glm::ivec3& size, const glm::ivec3& first, const glm::ivec3& atlasSize,
+             std::vector<Texel>& atlas) {
+    auto row = box.begin();
+    for (int k = 0; k < size.z; ++k) {
+        for (int j = 0; j < size.y; ++j, row += size.x) {
+            const std::size_t line = std::size_t(first.z + k) * std::size_t(atlasSize.y) + std::size_t(first.y + j);
+            std::copy_n(row, size.x, atlas.begin() + std::ptrdiff_t(line * std::size_t(atlasSize.x)) + first.x);
+        }
+    }
+}
+
+std::size_t countOf(const glm::ivec3& size) { return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z); }
+
+/// A quantity of an inset that goes into the atlas of values.
+struct Box {
+    std::size_t inset;
+    int quantity;
+};
+
+std::vector<Box> boxesOf(const Fields& fields, const EffectSet& effects) {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < fields.insets.size(); ++i) {
+        for (int quantity = 0; quantity < gpu::kInsetQuantities; ++quantity) {
+            const auto effect = effectOf(quantity);
+            const bool varies = !fields.insets[i].grids->quantities[std::size_t(quantity)].varying.empty();
+            if (varies && effect && effects.has(*effect)) boxes.push_back({i, quantity});
+        }
+    }
+    return boxes;
+}
+
+gpu::Texture3D valueTexture(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
+                            gpu::InsetsBlock& block) {
+    const std::vector<Box> boxes = boxesOf(fields, effects);
+    std::vector<glm::ivec3> sizes;
+    for (const Box& box : boxes) sizes.push_back(fields.insets[box.inset].grids->lattice.size);
+    const Atlas atlas = packed(sizes, context.limits().maxTexture3dSize);
+    gpu::Texture3D texture(context, gpu::TexelFormat::kRgba32f, atlas.size, "inset_values");
+    std::vector<glm::vec4> texels(countOf(atlas.size), glm::vec4(0.0f));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const auto& quantity = fields.insets[boxes[i].inset].grids->quantities[std::size_t(boxes[i].quantity)];
+        copyBox(quantity.varying, sizes[i], atlas.first[i], atlas.size, texels);
+        block.insets[boxes[i].inset].first[boxes[i].quantity] = glm::ivec4(atlas.first[i], 1);
+    }
+    texture.upload(texels.data());
+    block.insetValueScale = 1.0f / glm::vec3(atlas.size);
+    return texture;
+}
+
+using ExtentTexel = std::array<std::uint16_t, 2>;
+
+std::vector<ExtentTexel> extentTexels(const InsetGrids& grids) {
+    std::vector<ExtentTexel> texels(grids.area.values.size());
+    for (std::size_t v = 0; v < texels.size(); ++v) {
+        const float area = std::clamp(grids.area.values[v], 0.0f, 1.0f);
+        const bool inBand = !grids.boundary.empty() && grids.boundary.values[v] != 0;
+        texels[v] = {std::uint16_t(std::lround(65535.0f * area)), std::uint16_t(inBand ? 65535 : 0)};
+    }
+    return texels;
+}
+
+gpu::Texture3D extentTexture(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
+                             gpu::InsetsBlock& block) {
+    std::vector<glm::ivec3> sizes;
+    if (needsExtents(effects)) {
+        for (const Inset& inset : fields.insets) sizes.push_back(inset.grids->lattice.size);
+    }
+    const Atlas atlas = packed(sizes, context.limits().maxTexture3dSize);
+    gpu::Texture3D texture(context, gpu::TexelFormat::kRg16, atlas.size, "inset_extents");
+    std::vector<ExtentTexel> texels(countOf(atlas.size), ExtentTexel{});
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        copyBox(extentTexels(*fields.insets[i].grids), sizes[i], atlas.first[i], atlas.size, texels);
+        block.insets[i].extentFirst = atlas.first[i];
+    }
+    texture.upload(texels.data());
+    block.insetExtentScale = 1.0f / glm::vec3(atlas.size);
+    return texture;
+}
+
+gpu::InsetsBlock blockOf(const Fields& fields) {
+    gpu::InsetsBlock block{};
+    block.insetCount = int(fields.insets.size());
+    for (std::size_t i = 0; i < fields.insets.size(); ++i) {
+        const InsetGrids& grids = *fields.insets[i].grids;
+        block.insets[i].size = grids.lattice.size;
+        block.insets[i].displaces = grids.displaces ? 1 : 0;
+        for (std::size_t q = 0; q < grids.quantities.size(); ++q) {
+            block.insets[i].everywhere[q] = grids.quantities[q].everywhere;
+        }
+    }
+    return block;
+}
+
+/// Rows of the map from the device's coordinates to an inset's voxels, counted from its lower corner.
+void place(const Inset& inset, const Lattice& domain, gpu::InsetBlock& block) {
+    const Lattice& lattice = inset.grids->lattice;
+    const glm::dmat4 localFromWorld = glm::inverse(inset.worldFromLocal);
+    const glm::dvec3 middle = glm::dvec3(localFromWorld * glm::dvec4(middleOf(domain), 1.0));
+    for (int row = 0; row < 3; ++row) {
+        const glm::dvec3 along(localFromWorld[0][row], localFromWorld[1][row], localFromWorld[2][row]);
+        block.placeFromDevice[row] = glm::vec4(glm::dvec4(along, middle[row] - lattice.min[row]) / lattice.voxel);
+    }
+}
+
+std::size_t brickBytes(const Fields& fields) {
+    return countOf((fields.lattice.size + kBrickVoxels - 1) / kBrickVoxels) * sizeof(InsetBrick);
+}
+
+} // namespace
+
+GpuInsets::GpuInsets(const gpu::Context& context, const Fields& fields, const EffectSet& effects)
+    : block_(blockOf(fields)), places_(context, sizeof block_, "insets"),
+      bricks_(context, brickBytes(fields), "inset bricks"), values_(valueTexture(context, fields, effects, block_)),
+      extents_(extentTexture(context, fields, effects, block_)) {
+    move(fields);
+}
+
+void GpuInsets::move(const Fields& fields) {
+    if (fields.insets.size() != std::size_t(block_.insetCount)) throw std::logic_error("other insets than those that move");
+    for (std::size_t i = 0; i < fields.insets.size(); ++i) place(fields.insets[i], fields.lattice, block_.insets[i]);
+    places_.upload(block_);
+    const DenseGrid<InsetBrick> bricks = insetBricksOf(fields);
+    bounds_ = boundsOf(bricks);
+    bricks_.upload(std::span<const InsetBrick>(bricks.values));
+}
+
+void GpuInsets::bind() const {
+    places_.bindUniform(gpu::kUniformInsets);
+    bricks_.bindStorage(gpu::kStorageInsetBricks);
+    values_.bind(gpu::kUnitInsetValues);
+    extents_.bind(gpu::kUnitInsetExtents);
+}
+
+std::vector<std::pair<std::string, std::size_t>> GpuInsets::textures() const {
+    return {{values_.label(), values_.bytes()}, {extents_.label(), extents_.bytes()}};
+}
+
+} // namespace eikonal
