@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "common/device_frame.h"
+#include "common/insets.h"
 #include "common/physics.h"
 #include "common/spectral_fields.h"
 #include "shaders/shared/bindings.h"
@@ -76,12 +77,17 @@ gpu::Texture3D splineTexture(const gpu::Context& context, const DenseGrid<float>
     return texture;
 }
 
-} // namespace
-
-namespace {
-
 bool isZero(const DenseGrid<float>& grid) {
     return std::all_of(grid.values.begin(), grid.values.end(), [](float value) { return value == 0.0f; });
+}
+
+/// Whether nothing scatters but evenly.
+bool isIsotropic(const Fields& fields) {
+    const auto forward = [](const glm::vec4& scattering) { return scattering.a != 0.0f; };
+    return isZero(fields.anisotropy) && std::none_of(fields.insets.begin(), fields.insets.end(), [&](const Inset& inset) {
+        const InsetQuantity& held = inset.grids->quantities[gpu::kInsetScattering];
+        return held.present && (forward(held.everywhere) || std::any_of(held.varying.begin(), held.varying.end(), forward));
+    });
 }
 
 gpu::Texture3D greyTexture(const gpu::Context& context, const DenseGrid<glm::vec3>& grid, std::string_view label) {
@@ -142,7 +148,7 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
     }
     add(Effect::kAbsorption, gpu::kUnitSigmaA, "sigma_a", fields.sigmaA, {});
     add(Effect::kScattering, gpu::kUnitSigmaS, "sigma_s", fields.sigmaS, fields.anisotropy);
-    if (effects.has(Effect::kScattering) && isZero(fields.anisotropy)) defines_.push_back("ISOTROPIC_SCATTERING");
+    if (effects.has(Effect::kScattering) && isIsotropic(fields)) defines_.push_back("ISOTROPIC_SCATTERING");
     add(Effect::kEmission, gpu::kUnitEmission, "emission", fields.emission, {});
     add(Effect::kOpaque, gpu::kUnitOpaque, "opaque", fields.albedo, fields.opaque);
     if (!fields.insets.empty()) {

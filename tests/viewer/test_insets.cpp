@@ -332,6 +332,22 @@ TEST(Insets, ThatMoveAreWhereTheyWouldHaveBeenComposed) {
         EXPECT_EQ(readImage(image).channels[c].values, composed.channels[c].values) << composed.channels[c].name;
 }
 
+TEST(Insets, ScatterForwardInADomainThatDoesNot) {
+    Object smoke = box(dvec3(0.8), dvec3(0.0));
+    smoke.scattering = quantity(dvec3(0.5));
+    Scene scene = sceneOf(16, {smoke});
+    const auto isIsotropic = [&] {
+        const Fields fields = composeImageFields(scene);
+        const auto defines = GpuFields(sharedContext(), fields, test::effectsOf(scene, fields)).defines();
+        return std::count(defines.begin(), defines.end(), "ISOTROPIC_SCATTERING") == 1;
+    };
+    EXPECT_TRUE(isIsotropic());
+    scene.objects[0].resolution = 16;
+    EXPECT_TRUE(isIsotropic());
+    scene.objects[0].anisotropy = quantity(dvec3(0.5));
+    EXPECT_FALSE(isIsotropic());
+}
+
 TEST(Insets, CostScenesWithoutThemNothing) {
     Scene scene = gallimaufry();
     scene.domain.resolution = 16;
