@@ -11,6 +11,7 @@ layout(local_size_x = kRaysPerGroup) in;
 
 layout(std430, binding = kStorageReflections) buffer Reflections { PixelReflections reflections[]; };
 layout(std430, binding = kStorageDirectRays) buffer DirectRays { RayState directRays[]; };
+
 // Adds an ended reflection to the pixel's ray; both hold basic radiance.
 void gather(uint index, RayState ended) {
     directRays[index].radiance += ended.radiance;

@@ -80,7 +80,7 @@ bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised 
     Ray reflected = rayFromMirror(met, away);
     ray.evaluations += uint(2 * kMirrorCorrections + 1);
     reflections[rayIndex].list[waiting] = Reflection(reflected.x, throughput.s, reflected.w, throughput.p,
-                                                  steepest.transmittance * tintOfMirror(), ray.generation + 1u);
+                                                     steepest.transmittance * tintOfMirror(), ray.generation + 1u);
     reflections[rayIndex].waiting = waiting + 1u;
     return true;
 }
