@@ -17,12 +17,12 @@ namespace {
 
 gpu::DomainBlock domainBlock(const Fields& fields) {
     gpu::DomainBlock block{};
-    block.domainMin = glm::vec3(deviceFromWorld(fields.lattice, fields.lattice.min));
-    block.domainVoxel = float(fields.lattice.voxel);
-    block.domainMax = glm::vec3(deviceFromWorld(fields.lattice, fields.lattice.max()));
-    block.domainIor = fields.iorUniform;
-    block.domainScale = glm::vec3(1.0 / fields.lattice.extent());
-    block.domainSize = fields.lattice.size;
+    block.min = glm::vec3(deviceFromWorld(fields.lattice, fields.lattice.min));
+    block.voxel = float(fields.lattice.voxel);
+    block.max = glm::vec3(deviceFromWorld(fields.lattice, fields.lattice.max()));
+    block.ior = fields.iorUniform;
+    block.scale = glm::vec3(1.0 / fields.lattice.extent());
+    block.size = fields.lattice.size;
     return block;
 }
 
@@ -162,7 +162,7 @@ void GpuFields::moveInsets(const Fields& fields) {
 }
 
 void GpuFields::setWavelength(double micrometres) {
-    block_.domainDispersion = float(f64::dispersionTerm(micrometres) * cauchyOverRefractivity_.value_or(1.0));
+    block_.dispersion = float(f64::dispersionTerm(micrometres) * cauchyOverRefractivity_.value_or(1.0));
     domain_.upload(block_);
 }
 

@@ -10,11 +10,12 @@ Accumulate::Accumulate(const gpu::Context& context, const std::vector<std::strin
 
 void Accumulate::reserve(const gpu::Context& context, std::size_t pixels) {
     const std::size_t bytes = pixels * sizeof(gpu::FilmPixel);
-    if (film_.bytes() < bytes) film_ = gpu::Buffer(context, bytes, "film");
+    if (film_.bytes() < bytes) film_ = gpu::RowBuffer(context, bytes, "film");
 }
 
 void Accumulate::bind() const {
     film_.bindStorage(gpu::kStorageFilm);
+    film_.bindTexels(gpu::kUnitFilm);
     counters_.bindStorage(gpu::kStorageCounters);
 }
 

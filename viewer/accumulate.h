@@ -24,7 +24,7 @@ public:
     void reserve(const gpu::Context& context, std::size_t pixels);
     void bind() const;
     /// For kernels that compare another film with the one that is bound.
-    void bindAsCompared() const { film_.bindStorage(gpu::kStorageComparedFilm); }
+    void bindAsCompared() const { film_.bindTexels(gpu::kUnitComparedFilm); }
     void run(const RayBatch& batch) const;
     /// The first pixels of the film.
     std::vector<gpu::FilmPixel> film(std::size_t pixels) const { return film_.download<gpu::FilmPixel>(pixels); }
@@ -34,7 +34,7 @@ public:
 
 private:
     gpu::Kernel kernel_, count_;
-    gpu::Buffer film_;
+    gpu::RowBuffer film_;
     gpu::Buffer counters_;
 };
 

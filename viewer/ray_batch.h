@@ -1,7 +1,7 @@
 #pragma once
 // The rays that one round of dispatches works on, and the block that all stages read.
 
-#include "common/gpu/objects.h"
+#include "common/gpu/row_buffer.h"
 #include "shaders/shared/view_blocks.h"
 
 namespace eikonal::viewer {
@@ -9,8 +9,8 @@ namespace eikonal::viewer {
 struct RayBatch {
     gpu::ViewBlock view{};
     gpu::Buffer viewBuffer;
-    gpu::Buffer rays;   ///< gpu::RayState
-    gpu::Buffer lists;  ///< of rays under way (shaders/viewer/ray_lists.glsl)
+    gpu::RowBuffer rays;  ///< gpu::RayState
+    gpu::Buffer lists;    ///< of rays under way (shaders/viewer/ray_lists.glsl)
 
     RayBatch(const gpu::Context& context, std::size_t capacity)
         : viewBuffer(context, sizeof(gpu::ViewBlock), "view"), rays(context, capacity * sizeof(gpu::RayState), "rays"),
@@ -22,8 +22,13 @@ struct RayBatch {
     void bind() {
         viewBuffer.upload(view);
         viewBuffer.bindUniform(gpu::kUniformView);
-        rays.bindStorage(gpu::kStorageRays);
+        bindRays(rays);
         lists.bindStorage(gpu::kStorageRayLists);
+    }
+    /// Rays for the kernels to work on, these or others.
+    static void bindRays(const gpu::RowBuffer& rays) {
+        rays.bindStorage(gpu::kStorageRays);
+        rays.bindTexels(gpu::kUnitRays);
     }
     glm::uvec3 groups() const {
         return {(view.rayCount + gpu::kRaysPerGroup - 1) / gpu::kRaysPerGroup, 1, 1};

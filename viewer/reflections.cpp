@@ -34,21 +34,21 @@ void Reflections::bind() const { waiting_.bindStorage(gpu::kStorageReflections);
 
 bool Reflections::marchRound(RayBatch& batch, const March& march) {
     batch.rays.bindStorage(gpu::kStorageDirectRays);
-    rays_.bindStorage(gpu::kStorageRays);
+    RayBatch::bindRays(rays_);
     kernel_.dispatch(batch.groups());
     const std::uint32_t started = batch.listedCount(gpu::kPlainRays);
     count_ += started;
     if (started > 0) march.run(batch);
-    batch.rays.bindStorage(gpu::kStorageRays);
+    RayBatch::bindRays(batch.rays);
     return started > 0;
 }
 
 void Reflections::run(RayBatch& batch, const March& march, const Shade& shade) {
     while (marchRound(batch, march)) {
-        rays_.bindStorage(gpu::kStorageRays);
+        RayBatch::bindRays(rays_);
         shade.run(batch);
     }
-    batch.rays.bindStorage(gpu::kStorageRays);
+    RayBatch::bindRays(batch.rays);
 }
 
 std::vector<gpu::RayState> Reflections::states(const RayBatch& batch) const {

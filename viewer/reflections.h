@@ -47,7 +47,7 @@ public:
 private:
     ReflectionRules rules_;
     gpu::Kernel kernel_;
-    gpu::Buffer rays_;
+    gpu::RowBuffer rays_;
     gpu::Buffer waiting_;
     std::uint64_t count_ = 0;
 };

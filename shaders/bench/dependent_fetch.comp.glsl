@@ -10,15 +10,17 @@ const float kNearlyNothing = 1e-12;
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= rayCount || rays[index].status != kMarching) {
+    RayState ray = loadRay(min(index, view.rayCount - 1u));
+    if (index >= view.rayCount || ray.status != kMarching) {
         return;
     }
-    vec3 x = (rays[index].x - domainMin) * domainScale;
-    vec3 step = unitDirection(rays[index]) * stepLength * domainScale;
+    vec3 x = (ray.x - domain.min) * domain.scale;
+    vec3 step = unitDirection(ray) * view.stepLength * domain.scale;
     vec4 texel = vec4(0.0);
-    for (uint i = 0u; i < stepsPerSlice; ++i) {
+    for (uint i = 0u; i < view.stepsPerSlice; ++i) {
         x += step + kNearlyNothing * texel.rgb;
         texel = sampleTrilinear(opticsGrid, x);
     }
-    rays[index].radiance = texel.rgb;
+    ray.radiance = texel.rgb;
+    storeRows(index, rowsOf(ray), 4, 5);
 }

@@ -6,7 +6,7 @@
 
 // A grid on the domain's lattice at a world position.
 vec4 sampleGrid(sampler3D grid, vec3 x) {
-    return sampleTrilinear(grid, (x - domainMin) * domainScale);
+    return sampleTrilinear(grid, (x - domain.min) * domain.scale);
 }
 
 struct Optics {
@@ -33,7 +33,7 @@ float finestVoxelAbout(vec3 x) {
 
 // Edge of the finest voxel about x [scene units].
 float voxelAt(vec3 x) {
-    return domainVoxel * finestVoxelAbout(x);
+    return domain.voxel * finestVoxelAbout(x);
 }
 
 // The voxel of a grid on the domain's lattice that x lies in. A grid that only objects with lattices of their own call for has
@@ -42,9 +42,9 @@ ivec3 voxelAbout(vec3 x, sampler3D grid) {
 #ifdef INSETS
     ivec3 size = textureSize(grid, 0);
 #else
-    ivec3 size = domainSize;
+    ivec3 size = domain.size;
 #endif
-    return clamp(ivec3(floor((x - domainMin) / domainVoxel)), ivec3(0), size - 1);
+    return clamp(ivec3(floor((x - domain.min) / domain.voxel)), ivec3(0), size - 1);
 }
 
 #ifdef EFFECT_REFRACTION
@@ -56,11 +56,11 @@ layout(binding = kUnitOptics) uniform sampler3D opticsGrid;
 
 // Positions beyond the outermost voxels' centres count as on them, as with a clamped texture.
 vec4 fetchOptics(vec3 x) {
-    vec3 last = vec3(domainSize - 1);
-    vec3 place = clamp((x - domainMin) / domainVoxel - 0.5, vec3(0.0), last);
+    vec3 last = vec3(domain.size - 1);
+    vec3 place = clamp((x - domain.min) / domain.voxel - 0.5, vec3(0.0), last);
     vec3 first = min(floor(place), max(last - 1.0, vec3(0.0)));
     vec4 spline = sampleSpline(opticsGrid, ivec3(first), place - first);
-    return vec4(spline.rgb / domainVoxel, spline.a);
+    return vec4(spline.rgb / domain.voxel, spline.a);
 }
 #else
 vec4 fetchOptics(vec3 x) {
@@ -74,7 +74,7 @@ vec4 fetchOptics(vec3 x) {
 bool hasMetDispersion = false;
 
 // grad B in rgb, Cauchy's B in alpha. Where B is in proportion to n - 1 everywhere, as with one glass in air, it needs no
-// texture: domainDispersion has the factor.
+// texture: domain.dispersion has the factor.
 #ifdef DISPERSION_BY_REFRACTIVITY
 vec4 sampleCauchy(vec3 x, vec4 optics) {
     return vec4(optics.rgb, optics.a - 1.0);
@@ -89,12 +89,12 @@ vec4 sampleCauchy(vec3 x, vec4 optics) {
 
 // At the wavelength of the dispatch.
 Optics sampleOptics(vec3 x) {
-    vec4 domain = fetchOptics(x);
-    vec4 cauchy = overDomain(x, sampleCauchy(x, domain), kInsetDispersion);
-    vec4 texel = overDomain(x, domain, kInsetIndex);
+    vec4 below = fetchOptics(x);
+    vec4 cauchy = overDomain(x, sampleCauchy(x, below), kInsetDispersion);
+    vec4 texel = overDomain(x, below, kInsetIndex);
     hasMetDispersion = hasMetDispersion || cauchy != vec4(0.0);
-    return Optics(dispersedIndex(texel.a, cauchy.a, domainDispersion),
-                  dispersedGradient(texel.rgb, cauchy.rgb, domainDispersion));
+    return Optics(dispersedIndex(texel.a, cauchy.a, domain.dispersion),
+                  dispersedGradient(texel.rgb, cauchy.rgb, domain.dispersion));
 }
 #elif defined(EFFECT_REFRACTION)
 Optics sampleOptics(vec3 x) {
@@ -103,7 +103,7 @@ Optics sampleOptics(vec3 x) {
 }
 #else
 Optics sampleOptics(vec3 x) {
-    return Optics(domainIor, vec3(0.0));
+    return Optics(domain.ior, vec3(0.0));
 }
 #endif
 

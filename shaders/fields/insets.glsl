@@ -8,8 +8,8 @@ layout(binding = kUnitInsetExtents) uniform sampler3D insetExtents;
 layout(std430, binding = kStorageInsetBricks) readonly buffer InsetBricks { uvec2 insetBricks[]; };
 
 uvec2 insetBrickAt(vec3 x) {
-    ivec3 count = (domainSize + kBrickVoxels - 1) / kBrickVoxels;
-    ivec3 brick = ivec3(floor((x - domainMin) / (float(kBrickVoxels) * domainVoxel)));
+    ivec3 count = (domain.size + kBrickVoxels - 1) / kBrickVoxels;
+    ivec3 brick = ivec3(floor((x - domain.min) / (float(kBrickVoxels) * domain.voxel)));
     brick = clamp(brick, ivec3(0), count - 1);
     return insetBricks[(brick.z * count.y + brick.y) * count.x + brick.x];
 }

@@ -27,8 +27,8 @@ struct Block {
 };
 
 void placePoint(inout Block block, int i, vec3 x, float lengthVoxels) {
-    bool inside = all(greaterThanEqual(x, domainMin)) && all(lessThanEqual(x, domainMax));
-    block.places[i] = (x - domainMin) / domainVoxel - 0.5;
+    bool inside = all(greaterThanEqual(x, domain.min)) && all(lessThanEqual(x, domain.max));
+    block.places[i] = (x - domain.min) / domain.voxel - 0.5;
     block.lengths[i] = inside ? lengthVoxels : 0.0;
     if (inside && lengthVoxels > 0.0) {
         block.base = min(block.base, floor(block.places[i]));
@@ -61,7 +61,7 @@ float hatSum(Block block, vec3 node) {
 
 ivec3 voxelOf(Block block, int node) {
     ivec3 offset = ivec3(node % kNodes, (node / kNodes) % kNodes, node / (kNodes * kNodes));
-    return clamp(ivec3(block.base) + offset, ivec3(0), domainSize - 1);
+    return clamp(ivec3(block.base) + offset, ivec3(0), domain.size - 1);
 }
 
 vec3 offsetOf(int node) {
@@ -85,7 +85,7 @@ float opaqueCompensation(Block block) {
 }
 
 vec3 meanDirection(vec3 along, float lengthVoxels) {
-    return along / max(lengthVoxels * domainVoxel, 1.0e-30);
+    return along / max(lengthVoxels * domain.voxel, 1.0e-30);
 }
 
 // A part of the sweep that is splatted at once.
@@ -138,7 +138,7 @@ void depositPart(Part part) {
 }
 
 void depositSweep(Sweep sweep, vec3 power, float sideU, float sideV) {
-    ivec3 counts = ivec3(blocksFor(sideU / domainVoxel), blocksFor(sideV / domainVoxel),
+    ivec3 counts = ivec3(blocksFor(sideU / domain.voxel), blocksFor(sideV / domain.voxel),
                          blocksFor(longestStepVoxels(sweep)));
     for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
         depositPart(blockPart(sweep, power, counts, i));

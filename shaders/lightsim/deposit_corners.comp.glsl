@@ -12,7 +12,7 @@ struct Stencil {  // the eight voxels whose hats reach a point
 };
 
 Stencil stencilAt(vec3 x) {
-    vec3 place = (x - domainMin) / domainVoxel - 0.5;
+    vec3 place = (x - domain.min) / domain.voxel - 0.5;
     vec3 lower = floor(place);
     vec3 fraction = place - lower;
     Stencil stencil;
@@ -20,7 +20,7 @@ Stencil stencilAt(vec3 x) {
     for (int i = 0; i < 8; ++i) {
         ivec3 offset = ivec3(i & 1, (i >> 1) & 1, i >> 2);
         vec3 hat = mix(1.0 - fraction, fraction, vec3(offset));
-        stencil.voxels[i] = clamp(ivec3(lower) + offset, ivec3(0), domainSize - 1);
+        stencil.voxels[i] = clamp(ivec3(lower) + offset, ivec3(0), domain.size - 1);
         stencil.weights[i] = hat.x * hat.y * hat.z * freeShare(stencil.voxels[i]);
         free += stencil.weights[i];
     }
@@ -31,7 +31,7 @@ Stencil stencilAt(vec3 x) {
 }
 
 void splat(vec3 x, vec3 powerLength, vec3 travel) {
-    if (any(lessThan(x, domainMin)) || any(greaterThan(x, domainMax))) {
+    if (any(lessThan(x, domain.min)) || any(greaterThan(x, domain.max))) {
         return;
     }
     Stencil stencil = stencilAt(x);
@@ -51,7 +51,7 @@ void main() {
     vec3 along = corner.x - corner.xPrevious;
     vec3 travel = along / max(corner.arcLength, 1.0e-30);
     vec3 powerLength = 0.25 * patches[slot].power * corner.meanShare *
-                       (settings.depositScale * corner.arcLength / (domainVoxel * float(kPoints)));
+                       (settings.depositScale * corner.arcLength / (domain.voxel * float(kPoints)));
     for (int i = 0; i < kPoints; ++i) {
         splat(corner.xPrevious + along * ((float(i) + 0.5) / float(kPoints)), powerLength, travel);
     }

@@ -68,12 +68,12 @@ void direct(uint index, Offer offer) {
 }
 
 void offerAt(vec3 x, Offer offer) {
-    ivec3 voxel = ivec3(floor((x - domainMin) / domainVoxel));
+    ivec3 voxel = ivec3(floor((x - domain.min) / domain.voxel));
     if (any(lessThan(voxel, ivec3(0, 0, settings.slabBegin))) ||
-        any(greaterThanEqual(voxel, ivec3(domainSize.xy, settings.slabEnd)))) {
+        any(greaterThanEqual(voxel, ivec3(domain.size.xy, settings.slabEnd)))) {
         return;
     }
-    uint index = (uint(voxel.z - settings.slabBegin) * uint(domainSize.y) + uint(voxel.y)) * uint(domainSize.x) +
+    uint index = (uint(voxel.z - settings.slabBegin) * uint(domain.size.y) + uint(voxel.y)) * uint(domain.size.x) +
                  uint(voxel.x);
     if (peak.pass == PEAK_RAISE) {
         raise(index, offer);
@@ -101,7 +101,7 @@ void offerQuad(Sweep sweep, float fraction, vec3 power, vec3 direction, uint ori
     if (folded || covered <= 0.0 || sumBits(offer) == 0u) {
         return;
     }
-    ivec2 counts = ivec2(pointsFor(sideAlongU(sweep) / domainVoxel), pointsFor(sideAlongV(sweep) / domainVoxel));
+    ivec2 counts = ivec2(pointsFor(sideAlongU(sweep) / domain.voxel), pointsFor(sideAlongV(sweep) / domain.voxel));
     for (int i = 0; i < counts.x * counts.y; ++i) {
         offerAt(bilinear(x, (vec2(float(i % counts.x), float(i / counts.x)) + 0.5) / vec2(counts)), offer);
     }

@@ -33,7 +33,7 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
         // |axis + offset| - |axis| without cancellation: frames are built with offset perpendicular to axis
         targetPath += dot(offset, offset) / (sourceDistance + length(frame.axis));
     }
-    BoxSpan span = boxSpan(target, direction, domainMin, domainMax);
+    BoxSpan span = boxSpan(target, direction, domain.min, domain.max);
     bool meetsDomain = span.enter < span.leave && span.leave > -sourceDistance;
     particle.status = meetsDomain ? PARTICLE_WAITING : PARTICLE_MISSED;
     particle.enterPath = max(targetPath + span.enter, 0.0);  // 0: the source is inside
@@ -154,14 +154,14 @@ Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN)
 }
 
 bool insideDomain(vec3 x) {
-    return all(greaterThanEqual(x, domainMin)) && all(lessThanEqual(x, domainMax));
+    return all(greaterThanEqual(x, domain.min)) && all(lessThanEqual(x, domain.max));
 }
 
 // The particle leaves through a face of the domain: the medium acts up to the face, beyond it the ray is straight.
 Particle leaveDomain(Particle particle, Ray before, Ray end) {
     vec3 along = end.x - before.x;
     float reach = length(along);
-    float inside = min(distanceToExit(before.x, along / max(reach, 1.0e-30), domainMin, domainMax), reach);
+    float inside = min(distanceToExit(before.x, along / max(reach, 1.0e-30), domain.min, domain.max), reach);
     Particle after = attenuate(particle, before.x + along * (0.5 * inside / max(reach, 1.0e-30)), inside);
     after.status = PARTICLE_EXITED;
     after.arcLength = particle.arcLength + reach;

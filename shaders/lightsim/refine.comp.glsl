@@ -56,7 +56,7 @@ Shape shapeOf(uint slot) {
     }
     shape.sideU = max(distance(x[0], x[1]), distance(x[3], x[2]));
     shape.sideV = max(distance(x[0], x[3]), distance(x[1], x[2]));
-    shape.nearDomain = all(lessThan(low, domainMax)) && all(greaterThan(high, domainMin));
+    shape.nearDomain = all(lessThan(low, domain.max)) && all(greaterThan(high, domain.min));
     vec3 spread = mostShare - leastShare;
     shape.spread = max(spread.x, max(spread.y, spread.z));
     float section = crossSection(x[0], x[1], x[2], x[3], travel);  // its sign; travel is no unit vector

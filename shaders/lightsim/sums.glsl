@@ -9,7 +9,7 @@ bool isInSlab(ivec3 voxel) {
 }
 
 uint slabIndex(ivec3 voxel) {
-    return (uint(voxel.z - settings.slabBegin) * uint(domainSize.y) + uint(voxel.y)) * uint(domainSize.x) + uint(voxel.x);
+    return (uint(voxel.z - settings.slabBegin) * uint(domain.size.y) + uint(voxel.y)) * uint(domain.size.x) + uint(voxel.x);
 }
 
 #ifdef LIGHT_LOBES

@@ -13,7 +13,7 @@ Sweep sweepOf(uint slot) {
         sweep.before[i] = patches[slot].corners[i].xPrevious;
         sweep.after[i] = patches[slot].corners[i].x;
         sweep.share[i] = patches[slot].corners[i].meanShare;
-        sweep.lengths[i] = patches[slot].corners[i].arcLength / domainVoxel;
+        sweep.lengths[i] = patches[slot].corners[i].arcLength / domain.voxel;
     }
     return sweep;
 }

@@ -8,10 +8,14 @@ struct Ray {
 };
 
 // Viewing rays, constant step of arc length: dx/ds = w/|w|, dw/ds = grad n. Hamiltonian |w| - n.
-Ray driftByLength(Ray ray, real ds) {
+Ray driftAlong(Ray ray, real perW, real ds) {
     Ray moved = ray;
-    moved.x = ray.x + ray.w * (ds / length(ray.w));
+    moved.x = ray.x + ray.w * (ds * perW);
     return moved;
+}
+
+Ray driftByLength(Ray ray, real ds) {
+    return driftAlong(ray, 1.0 / length(ray.w), ds);
 }
 
 Ray kickByLength(Ray ray, real3 gradN, real ds) {
@@ -37,6 +41,7 @@ Ray kickByOpticalPath(Ray ray, real n, real3 gradN, real dt) {
 // what `Optics sampleOptics(real3 x)` is.
 struct RayStep {
     Ray ray;             // at its end
+    real perW;           // 1 / |w| there
     real opticalLength;  // integral of n over it [scene units]
     Ray looked;          // at the evaluation nearest to its middle
     real n;              // found there

@@ -5,6 +5,7 @@ RayStep stepEuler(Ray ray, real ds) {
     RayStep taken;
     taken.ray.x = ray.x + ray.w * (ds / start.n);
     taken.ray.w = ray.w + start.gradN * ds;
+    taken.perW = 1.0 / length(taken.ray.w);
     taken.opticalLength = start.n * ds;
     taken.looked = ray;
     taken.n = start.n;

@@ -18,6 +18,7 @@ RayStep stepRk4(Ray ray, real ds) {
     RayStep taken;
     taken.ray.x = ray.x + velocities * (ds / 6.0);
     taken.ray.w = ray.w + (a.gradN + 2.0 * (b.gradN + c.gradN) + d.gradN) * (ds / 6.0);
+    taken.perW = 1.0 / length(taken.ray.w);
     taken.opticalLength = (a.n + 2.0 * (b.n + c.n) + d.n) * (ds / 6.0);
     taken.looked = third;
     taken.n = c.n;

@@ -15,6 +15,7 @@ RayStep stepSharma(Ray ray, real ds) {
     RayStep taken;
     taken.ray.x = ray.x + (ray.w + (a + 2.0 * b) / 6.0) * dtau;
     taken.ray.w = ray.w + (a + 4.0 * b + c) / 6.0;
+    taken.perW = 1.0 / length(taken.ray.w);
     taken.opticalLength = (start.n * start.n + 4.0 * middle.n * middle.n + end.n * end.n) * (dtau / 6.0);
     taken.looked = halfway;
     taken.n = middle.n;

@@ -21,6 +21,9 @@ const int kUnitSurface = 12;        // of boundaries: factor on what they reflec
 const int kUnitDetail = 13;         // bricks to the next that rays voxels apart may pass unseen (light simulator)
 const int kUnitInsetValues = 14;    // atlas of objects with lattices of their own (shared/inset_blocks.h)
 const int kUnitInsetExtents = 15;   // the same: area coverage in red, 1 in green inside the band of the boundary
+const int kUnitRays = 16;           // rows of rays under way (viewer)
+const int kUnitFilm = 17;           // rows of the film's pixels (viewer)
+const int kUnitComparedFilm = 18;   // the same of another film (viewer)
 
 // Table of lobes: a row is a voxel's three, the strongest first, each irradiance and flux vector over it; so many rows lie
 // side by side.

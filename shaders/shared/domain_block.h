@@ -12,28 +12,31 @@ namespace eikonal::gpu {
 
 using glm::ivec3;
 using glm::vec3;
+#endif
 
 struct DomainBlock {
-#else
-layout(std140, binding = kUniformDomain) uniform DomainBlock {
-#endif
-    vec3 domainMin;      // lower corner of the box [scene units]
-    float domainVoxel;   // edge of a voxel [scene units]
-    vec3 domainMax;      // upper corner [scene units]
-    float domainIor;     // index where the scene has no index field
-    vec3 domainScale;    // texture coordinate per scene unit, by axis
-    float domainDispersion;  // 1/wavelength^2 - 1/wavelength_d^2, times the unit of B in the fields (fields/fields.glsl)
-    ivec3 domainSize;    // voxels
-    int domainPad1;
+    vec3 min;          // lower corner of the box [scene units]
+    float voxel;       // edge of a voxel [scene units]
+    vec3 max;          // upper corner [scene units]
+    float ior;         // index where the scene has no index field
+    vec3 scale;        // texture coordinate per scene unit, by axis
+    float dispersion;  // 1/wavelength^2 - 1/wavelength_d^2, times the unit of B in the fields (fields/fields.glsl)
+    ivec3 size;        // voxels
+    int pad;
 };
 
 #ifdef __cplusplus
-static_assert(offsetof(DomainBlock, domainVoxel) == 12);
-static_assert(offsetof(DomainBlock, domainMax) == 16);
-static_assert(offsetof(DomainBlock, domainIor) == 28);
-static_assert(offsetof(DomainBlock, domainScale) == 32);
-static_assert(offsetof(DomainBlock, domainSize) == 48);
+static_assert(offsetof(DomainBlock, voxel) == 12);
+static_assert(offsetof(DomainBlock, max) == 16);
+static_assert(offsetof(DomainBlock, ior) == 28);
+static_assert(offsetof(DomainBlock, scale) == 32);
+static_assert(offsetof(DomainBlock, size) == 48);
 static_assert(sizeof(DomainBlock) == 64);
 
 } // namespace eikonal::gpu
+#else
+layout(std140, binding = kUniformDomain) uniform Domain { DomainBlock domainGiven; };
+
+// Read once: the software renderer gathers a uniform anew, lane by lane, wherever it is named.
+DomainBlock domain = domainGiven;
 #endif

@@ -9,7 +9,6 @@ namespace eikonal::gpu {
 
 const int kUniformLook = 2;
 const int kImagePicture = 0;
-const int kStorageComparedFilm = 6;  // FilmPixel, one a pixel
 
 #ifdef __cplusplus
 struct LookBlock {

@@ -19,9 +19,9 @@ using uint = unsigned int;
 
 const int kUniformView = 1;
 
-const int kStorageRays = 0;      // RayState, one a ray
+const int kStorageRays = 0;      // RayState, one a ray, as rows of four words
 const int kStorageGiven = 1;     // GivenRay, one a ray
-const int kStorageFilm = 2;      // FilmPixel, one a pixel
+const int kStorageFilm = 2;      // FilmPixel, one a pixel, as rows of four words
 const int kStorageDisplay = 3;   // vec4, one a pixel
 const int kStorageCounters = 4;  // rays that entered and field evaluations, look-ups of clearance
                                  // and samples of matter, each low word, high word
@@ -100,11 +100,7 @@ struct FilmPixel {
     float normalPad;
 };
 
-#ifdef __cplusplus
 struct ViewBlock {
-#else
-layout(std140, binding = kUniformView) uniform ViewBlock {
-#endif
     vec3 cameraPosition;      // [scene units]
     float stepLength;         // [scene units]
     vec3 cameraRight;         // half the image's width at distance 1
@@ -150,9 +146,18 @@ static_assert(sizeof(RayState) == 144 && offsetof(RayState, crossingGradMax) == 
 static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, depth) == 32 && offsetof(RayState, status) == 60);
 static_assert(sizeof(RayListHead) == 16);
 static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 80);
+// The rows of viewer/film_pixels.glsl.
+static_assert(offsetof(FilmPixel, steps) == 12 && offsetof(FilmPixel, exitDirection) == 16 && offsetof(FilmPixel, entryDistance) == 28);
+static_assert(offsetof(FilmPixel, depth) == 32 && offsetof(FilmPixel, opticalLength) == 44 && offsetof(FilmPixel, throughput) == 48);
+static_assert(offsetof(FilmPixel, halfLuminance) == 60 && offsetof(FilmPixel, normal) == 64);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
 static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && sizeof(ViewBlock) == 352);
 
 } // namespace eikonal::gpu
+#else
+layout(std140, binding = kUniformView) uniform View { ViewBlock viewGiven; };
+
+// Read once, as the domain is.
+ViewBlock view = viewGiven;
 #endif

@@ -1,16 +1,17 @@
 // Adds a sample of every pixel to the film. Everything but radiance is taken from the first ray, through the pixel's centre, at
 // the reference wavelength.
 #include "viewer/ray_states.glsl"
+#include "viewer/film_pixels.glsl"
 
 layout(local_size_x = kRaysPerGroup) in;
 
-layout(std430, binding = kStorageFilm) buffer Film { FilmPixel film[]; };
+layout(std430, binding = kStorageFilm) writeonly buffer Film { vec4 filmRows[]; };
 
 // What a ray adds to its pixel. One that has met dispersion adds it band by band.
 vec3 colourOf(RayState ray) {
 #ifdef EFFECT_DISPERSION
     if (!isReferencePass()) {
-        return bandToRgb * ray.radiance[bandChannel];
+        return view.bandToRgb * ray.radiance[view.bandChannel];
     }
     return ray.dispersed != 0u ? vec3(0.0) : ray.radiance;
 #else
@@ -23,30 +24,33 @@ float luminance(vec3 colour) {
     return dot(colour, vec3(0.2126, 0.7152, 0.0722));
 }
 
-void develop(uint index, RayState ray) {
-    FilmPixel pixel = film[filmStart + index];
-    if (roundIndex == 0u && isReferencePass()) {
-        pixel.radiance = vec3(0.0);
-        pixel.halfLuminance = 0.0;
-        pixel.exitDirection = unitDirection(ray);
-        pixel.steps = ray.evaluations > 0u ? float(ray.evaluations - 1u + ray.lookUps) : 0.0;
-        pixel.depth = ray.depth;
-        pixel.entryDistance = ray.entryDistance;
-        pixel.throughput = rayThroughput(ray);
-        pixel.opticalLength = ray.opticalLength;
-        pixel.normal = ray.crossingNormal;
+void storeFilmRow(uint pixel, int row, vec4 values) {
+    filmRows[kRowsPerPixel * int(pixel) + row] = values;
+}
+
+void develop(uint pixel, RayState ray) {
+    vec4 radiance = filmRow(filmTexels, pixel, kRadianceRow);
+    vec4 throughput = filmRow(filmTexels, pixel, kThroughputRow);
+    if (view.roundIndex == 0u && isReferencePass()) {
+        radiance = vec4(vec3(0.0), ray.evaluations > 0u ? float(ray.evaluations - 1u + ray.lookUps) : 0.0);
+        throughput = vec4(rayThroughput(ray), 0.0);
+        storeFilmRow(pixel, kExitRow, vec4(unitDirection(ray), ray.entryDistance));
+        storeFilmRow(pixel, kDepthRow, vec4(ray.depth, ray.opticalLength));
+        storeFilmRow(pixel, kNormalRow, vec4(ray.crossingNormal, 0.0));
     }
     // The reference pass begins a sample: it takes the new sample's share out of the mean of those before.
     bool begins = isReferencePass();
     vec3 colour = colourOf(ray);
-    pixel.radiance += sampleWeight * (colour - (begins ? pixel.radiance : vec3(0.0)));
-    pixel.halfLuminance += halfWeight * (luminance(colour) - (begins ? pixel.halfLuminance : 0.0));
-    film[filmStart + index] = pixel;
+    radiance.rgb += view.sampleWeight * (colour - (begins ? radiance.rgb : vec3(0.0)));
+    throughput.a += view.halfWeight * (luminance(colour) - (begins ? throughput.a : 0.0));
+    storeFilmRow(pixel, kRadianceRow, radiance);
+    storeFilmRow(pixel, kThroughputRow, throughput);
 }
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index < rayCount && isFollowed(rays[index])) {
-        develop(index, rays[index]);
+    RayState ray = loadRay(min(index, view.rayCount - 1u));
+    if (index < view.rayCount && isFollowed(ray)) {
+        develop(view.filmStart + index, ray);
     }
 }

@@ -10,11 +10,11 @@ vec3 background(vec3 direction) {
 layout(binding = kUnitEnvironment) uniform sampler2D environmentMap;
 
 vec3 background(vec3 direction) {
-    vec2 uv = latLongFromDirection(turnedAboutY(direction, environmentAngle));
-    return textureLod(environmentMap, uv, 0.0).rgb * environmentScale;
+    vec2 uv = latLongFromDirection(turnedAboutY(direction, view.environmentAngle));
+    return textureLod(environmentMap, uv, 0.0).rgb * view.environmentScale;
 }
 #else
 vec3 background(vec3 direction) {
-    return gradientRadiance(direction, horizon, zenith);
+    return gradientRadiance(direction, view.horizon, view.zenith);
 }
 #endif

@@ -14,16 +14,17 @@ void addToCounter(int counter, uint value) {
 
 void main() {
     uint first = gl_GlobalInvocationID.x * uint(kRaysPerCount);
-    if (first >= rayCount) {
+    if (first >= view.rayCount) {
         return;
     }
     uint entered = 0u, evaluations = 0u, lookUps = 0u, matterSamples = 0u;
-    for (uint index = first; index < min(first + uint(kRaysPerCount), rayCount); ++index) {
-        if (isFollowed(rays[index])) {
-            entered += rays[index].status == kMissed ? 0u : 1u;
-            evaluations += rays[index].evaluations;
-            lookUps += rays[index].lookUps;
-            matterSamples += rays[index].matterSamples;
+    for (uint index = first; index < min(first + uint(kRaysPerCount), view.rayCount); ++index) {
+        RayState ray = loadRay(index);
+        if (isFollowed(ray)) {
+            entered += ray.status == kMissed ? 0u : 1u;
+            evaluations += ray.evaluations;
+            lookUps += ray.lookUps;
+            matterSamples += ray.matterSamples;
         }
     }
     addToCounter(0, entered);

@@ -44,20 +44,21 @@ Step carefulStep(inout RayState ray) {
 // A step that may end at the face: there it is taken again until it has the length that ends on it.
 Step carefulStep(inout RayState ray) {
     Ray start = Ray(ray.x, ray.w);
+    float perW = 1.0 / length(ray.w);
     float usual = usualStepAt(ray.x);
     float ds = nextStepLength(ray);
     bool last = ds < usual;
-    RayStep next = stepRay(start, ds);
+    RayStep next = stepRay(start, perW, ds);
     for (int i = 0; i < kFaceTrials && (last || outside(next.ray.x)); ++i) {
         last = true;
         ds = clamp(ds + signedDistanceToFace(next.ray), kShortestStep * usual, usual);
-        next = stepRay(start, ds);
+        next = stepRay(start, perW, ds);
     }
     Step taken = stepOf(ray, next, ds);
     ray.evaluations += kEvaluationsPerStep;
-    if (signedDistanceToFace(next.ray) < kShortestStep * stepLength) {
+    if (signedDistanceToFace(next.ray) < kShortestStep * view.stepLength) {
         ray.status = kExited;
-        taken.end = clamp(next.ray.x, domainMin, domainMax);
+        taken.end = clamp(next.ray.x, domain.min, domain.max);
     }
     return taken;
 }
@@ -74,7 +75,7 @@ void main() {
         listRay(kPlainRays, rayIndex);
         return;
     }
-    RayState ray = rays[rayIndex];
+    RayState ray = loadRay(rayIndex);
     loadSteepest();
     Step taken = carefulStep(ray);
     move(ray, taken);

@@ -1,11 +1,11 @@
 // Steps near the faces of the domain: the last one is cut there.
 
 bool outside(vec3 x) {
-    return any(lessThan(x, domainMin)) || any(greaterThan(x, domainMax));
+    return any(lessThan(x, domain.min)) || any(greaterThan(x, domain.max));
 }
 
 float distanceToFace(RayState ray) {
-    return distanceToExit(ray.x, unitDirection(ray), domainMin, domainMax);
+    return distanceToExit(ray.x, unitDirection(ray), domain.min, domain.max);
 }
 
 // Length of the next step: the last one ends at the face, so that it turns the ray by no more than it goes. It may be as
@@ -26,7 +26,7 @@ float drift(inout RayState ray, float ds) {
     float went = ds;
     if (outside(moved)) {
         went = min(distanceToFace(ray), ds);
-        moved = clamp(driftByLength(Ray(ray.x, ray.w), went).x, domainMin, domainMax);
+        moved = clamp(driftByLength(Ray(ray.x, ray.w), went).x, domain.min, domain.max);
         ray.status = kExited;
     }
     ray.x = moved;
@@ -36,12 +36,12 @@ float drift(inout RayState ray, float ds) {
 // The second drift of the last step goes on to the face, which the turn has moved a little nearer or farther.
 float lastDrift(inout RayState ray, float ds) {
     float toFace = distanceToFace(ray);
-    return drift(ray, toFace < 2.0 * ds ? 1.001 * toFace + kShortestStep * stepLength : ds);
+    return drift(ray, toFace < 2.0 * ds ? 1.001 * toFace + kShortestStep * view.stepLength : ds);
 }
 
 // Along a ray that is inside or has just left: below 0 beyond the face.
 float signedDistanceToFace(Ray ray) {
-    return boxSpan(ray.x, ray.w / length(ray.w), domainMin, domainMax).leave;
+    return boxSpan(ray.x, ray.w / length(ray.w), domain.min, domain.max).leave;
 }
 
 // Lengths tried of a step that must end at the face: each brings what is missing to its square.

@@ -29,21 +29,21 @@ const int kSamplesPerFlight = 16;
 // Clearances are Chebyshev distances in bricks: the box that reaches so many bricks less one beyond x's own is free. It counts as
 // a little larger, so that a ray that runs along a face of it, to rounding, is not held up there.
 float distanceInClear(float bricks, vec3 brick, vec3 x, vec3 direction) {
-    float edge = float(kBrickVoxels) * domainVoxel;
-    float beyond = kBeyondBrick * domainVoxel;
-    vec3 low = domainMin + (brick - (bricks - 1.0)) * edge;
+    float edge = float(kBrickVoxels) * domain.voxel;
+    float beyond = kBeyondBrick * domain.voxel;
+    vec3 low = domain.min + (brick - (bricks - 1.0)) * edge;
     return distanceToExit(x, direction, low - beyond, low + (2.0 * bricks - 1.0) * edge + beyond);
 }
 
 // Outside the box of all that is not vacuum a ray goes to it, or away for ever.
 Clearance clearanceAhead(vec3 x, vec3 direction) {
-    BoxSpan content = boxSpan(x, direction, contentMin, contentMax);
+    BoxSpan content = boxSpan(x, direction, view.contentMin, view.contentMax);
     bool never = content.leave <= max(content.enter, 0.0);
     if (never || content.enter > 0.0) {
         float free = never ? 1.0e30 : content.enter;
         return Clearance(true, free, free);
     }
-    ivec3 brick = ivec3(floor((x - domainMin) / (float(kBrickVoxels) * domainVoxel)));
+    ivec3 brick = ivec3(floor((x - domain.min) / (float(kBrickVoxels) * domain.voxel)));
     brick = clamp(brick, ivec3(0), textureSize(clearanceGrid, 0) - 1);
     vec2 bricks = round(255.0 * texelFetch(clearanceGrid, brick, 0).rg);
     float even = bricks.g > 0.0 ? distanceInClear(bricks.g, vec3(brick), x, direction) : 0.0;
@@ -61,7 +61,7 @@ float passAhead(inout RayState ray, vec3 direction, float ds, float even) {
     }
     // flights go a little beyond bricks: samples stay a voxel apart, in step with the lattice
     const float kSlack = 0.01;
-    int count = max(int(ceil(ds / (MATTER_VOXELS * domainVoxel) - kSlack)), 1);
+    int count = max(int(ceil(ds / (MATTER_VOXELS * domain.voxel) - kSlack)), 1);
     float piece = ds / float(count);
     int samples = min(count, kSamplesPerFlight);
     for (int i = 0; i < samples; ++i) {
@@ -75,11 +75,11 @@ float passAhead(inout RayState ray, vec3 direction, float ds, float even) {
 
 // Moves the ray straight on, as far as `ahead` says and matter lets it.
 void fly(inout RayState ray, vec3 direction, Clearance ahead) {
-    float toFace = distanceToExit(ray.x, direction, domainMin, domainMax);
-    float beyond = kBeyondBrick * domainVoxel;
+    float toFace = distanceToExit(ray.x, direction, domain.min, domain.max);
+    float beyond = kBeyondBrick * domain.voxel;
     float went = passAhead(ray, direction, min(ahead.reach + beyond, toFace),
                            ahead.even > 0.0 ? ahead.even + beyond : 0.0);
-    ray.x = clamp(ray.x + direction * went, domainMin, domainMax);
+    ray.x = clamp(ray.x + direction * went, domain.min, domain.max);
     ray.pathLength += went;
     ray.opticalLength += ray.n * went;
     ray.status = went >= toFace ? kExited : kMarching;
@@ -104,7 +104,7 @@ void look(inout RayState ray, inout uint left) {
         fly(ray, direction, ahead);
         left -= 1u;
     } else {
-        ray.lookAgainAt = ray.pathLength + ahead.reach + kBeyondBrick * domainVoxel;
+        ray.lookAgainAt = ray.pathLength + ahead.reach + kBeyondBrick * domain.voxel;
     }
     endRay(ray);
 }
@@ -122,7 +122,7 @@ void flyAhead(inout RayState ray, inout uint left) {
 
 // After an evaluation in the middle of a step of length ds: where the index varies, the step's end is no place to look.
 void noteBend(inout RayState ray, vec3 gradN, float ds) {
-    if (dot(gradN, gradN) > negligibleGradient * negligibleGradient) {
+    if (dot(gradN, gradN) > view.negligibleGradient * view.negligibleGradient) {
         ray.lookAgainAt = max(ray.lookAgainAt, ray.pathLength + 1.01 * ds);
     }
 }

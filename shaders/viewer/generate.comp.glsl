@@ -22,14 +22,14 @@ RayState rayAt(vec3 origin, vec3 direction) {
 }
 
 RayState enterDomain(RayState ray) {
-    BoxSpan span = boxSpan(ray.x, ray.w, domainMin, domainMax);
+    BoxSpan span = boxSpan(ray.x, ray.w, domain.min, domain.max);
     float enter = max(span.enter, 0.0);
     if (span.leave <= enter) {
         return ray;
     }
     RayState entered = ray;
     entered.status = kMarching;
-    entered.x = clamp(ray.x + ray.w * enter, domainMin, domainMax);
+    entered.x = clamp(ray.x + ray.w * enter, domain.min, domain.max);
     entered.n = sampleOptics(entered.x).n;
     entered.crossingStart = entered.n;
     entered.w = ray.w * entered.n;
@@ -45,15 +45,15 @@ RayState enterDomain(RayState ray) {
 #ifdef STRAIGHT_FLIGHTS
 // A ray that meets nothing but vacuum on its way through the domain is at the end of it.
 RayState passVacuum(RayState ray) {
-    BoxSpan content = boxSpan(ray.x, ray.w, contentMin, contentMax);
+    BoxSpan content = boxSpan(ray.x, ray.w, view.contentMin, view.contentMax);
     if (ray.status != kMarching || content.leave > max(content.enter, 0.0)) {
         return ray;
     }
     RayState ended = ray;
     vec3 direction = unitDirection(ray);
-    ended.pathLength = distanceToExit(ray.x, direction, domainMin, domainMax);
+    ended.pathLength = distanceToExit(ray.x, direction, domain.min, domain.max);
     ended.opticalLength = ray.n * ended.pathLength;
-    ended.x = clamp(ray.x + direction * ended.pathLength, domainMin, domainMax);
+    ended.x = clamp(ray.x + direction * ended.pathLength, domain.min, domain.max);
     ended.status = kExited;
     ended.lookUps = 1u;
     return ended;
@@ -68,25 +68,25 @@ RayState initialRay(uint index) {
 #ifdef RAYS_GIVEN
     return rayAt(given[index].origin, given[index].direction);
 #else
-    ivec2 pixel = tileOrigin + tilePixel(index);
-    vec2 screen = 2.0 * (vec2(pixel) + subPixel) / vec2(imageSize) - 1.0;
-    vec3 through = cameraForward + cameraRight * screen.x - cameraUp * screen.y;
+    ivec2 pixel = view.tileOrigin + tilePixel(index);
+    vec2 screen = 2.0 * (vec2(pixel) + view.subPixel) / vec2(view.imageSize) - 1.0;
+    vec3 through = view.cameraForward + view.cameraRight * screen.x - view.cameraUp * screen.y;
 #ifdef LENS
     vec2 place = lensPlace(pixel);
-    vec3 offset = place.x * normalize(cameraRight) + place.y * normalize(cameraUp);
-    LensRay ray = thinLensRay(cameraPosition, through, focusDistance, offset);
+    vec3 offset = place.x * normalize(view.cameraRight) + place.y * normalize(view.cameraUp);
+    LensRay ray = thinLensRay(view.cameraPosition, through, view.focusDistance, offset);
     return rayAt(ray.origin, ray.direction);
 #else
-    return rayAt(cameraPosition, normalize(through));
+    return rayAt(view.cameraPosition, normalize(through));
 #endif
 #endif
 }
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index < rayCount && isFollowed(rays[index])) {
+    if (index < view.rayCount && isFollowed(loadRay(index))) {
         RayState ray = passVacuum(enterDomain(initialRay(index)));
-        rays[index] = ray;
+        storeWholeRay(index, ray);
         if (ray.status == kMarching) {
             listRay(kPlainRays, index);
         }

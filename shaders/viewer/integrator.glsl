@@ -8,27 +8,27 @@
 #if defined(INTEGRATOR_EULER)
 const uint kEvaluationsPerStep = 1u;
 
-RayStep stepRay(Ray ray, float ds) {
+RayStep stepRay(Ray ray, float perW, float ds) {
     return stepEuler(ray, ds);
 }
 #elif defined(INTEGRATOR_RK4)
 const uint kEvaluationsPerStep = 4u;
 
-RayStep stepRay(Ray ray, float ds) {
+RayStep stepRay(Ray ray, float perW, float ds) {
     return stepRk4(ray, ds);
 }
 #elif defined(INTEGRATOR_SHARMA)
 const uint kEvaluationsPerStep = 3u;
 
-RayStep stepRay(Ray ray, float ds) {
+RayStep stepRay(Ray ray, float perW, float ds) {
     return stepSharma(ray, ds);
 }
 #else
 #define INTEGRATOR_LEAPFROG
 const uint kEvaluationsPerStep = 1u;
 
-RayStep stepRay(Ray ray, float ds) {
-    return stepLeapfrog(ray, ds);
+RayStep stepRay(Ray ray, float perW, float ds) {
+    return stepLeapfrogOnward(ray, perW, ds);
 }
 #endif
 
@@ -52,5 +52,5 @@ float meanIndex(RayStep taken, float ds) {
 // Arc length of a step from x where no face is near: `stepLength` counts the domain's voxels, which are not the finest about
 // objects with lattices of their own.
 float usualStepAt(vec3 x) {
-    return stepLength * finestVoxelAbout(x);
+    return view.stepLength * finestVoxelAbout(x);
 }

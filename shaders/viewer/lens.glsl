@@ -15,6 +15,6 @@ uvec3 hashed(uvec3 v) {
 }
 
 vec2 lensPlace(ivec2 pixel) {
-    vec2 shift = vec2(hashed(uvec3(pixel, lensHalf)).xy >> 8u) / 16777216.0;
-    return lensRadius * discPlace(fract(lensSequence + shift));
+    vec2 shift = vec2(hashed(uvec3(pixel, view.lensHalf)).xy >> 8u) / 16777216.0;
+    return view.lensRadius * discPlace(fract(view.lensSequence + shift));
 }

@@ -9,12 +9,12 @@ layout(binding = kUnitLightDirection) uniform sampler3D lightDirectionGrid;
 
 // Scalar irradiance [power / scene unit^2].
 vec3 sampleIrradiance(vec3 x) {
-    return sampleTrilinear(irradianceGrid, (x - lightMin) * lightScale).rgb;
+    return sampleTrilinear(irradianceGrid, (x - view.lightMin) * view.lightScale).rgb;
 }
 
 // Flux vector over scalar irradiance.
 vec3 sampleLightDirection(vec3 x) {
-    return sampleTrilinear(lightDirectionGrid, (x - lightMin) * lightScale).rgb;
+    return sampleTrilinear(lightDirectionGrid, (x - view.lightMin) * view.lightScale).rgb;
 }
 
 // Irradiance times phase function, summed over arrivals, of light that is scattered against the direction of view.
@@ -28,7 +28,7 @@ vec3 phasedIrradiance(vec3 x, vec3 viewDirection, float g) {
 #endif
 
 vec3 phasedIrradiance(vec3 x, vec3 viewDirection, float g) {
-    vec4 direction = sampleTrilinear(lightDirectionGrid, (x - lightMin) * lightScale);
+    vec4 direction = sampleTrilinear(lightDirectionGrid, (x - view.lightMin) * view.lightScale);
 #ifdef LIGHT_LOBES
     if (direction.a > 0.0) {  // one of the voxels about x at least has lobes
         return phasedLobes(x, viewDirection, g);

@@ -23,7 +23,7 @@ vec3 phasedLight(ivec3 voxel, vec3 viewDirection, float g) {
 // Trilinear mean of what the voxels about x scatter.
 vec3 phasedLobes(vec3 x, vec3 viewDirection, float g) {
     ivec3 size = textureSize(lightDirectionGrid, 0);
-    vec3 position = (x - lightMin) * lightScale * vec3(size) - 0.5;
+    vec3 position = (x - view.lightMin) * view.lightScale * vec3(size) - 0.5;
     vec3 base = floor(position);
     vec3 t = position - base;
     vec3 sum = vec3(0.0);

@@ -12,21 +12,29 @@ bool isPlain(RayState ray, uint left) {
 // Steps until something happens in one, which is not taken then: true. Or the ray may fly, or has come to the slice's end.
 bool stepAlong(inout RayState ray, inout uint left) {
     bool eventful = false;
-    bool goes = isPlain(ray, left);
-    do {
-        float ds = usualStepAt(ray.x);
-        Step next = stepOf(ray, stepRay(Ray(ray.x, ray.w), ds), ds);
-        ray.evaluations += goes ? kEvaluationsPerStep : 0u;
-        eventful = goes && isEventful(ray, next);
-        if (goes && !eventful) {
+    uint most = min(left, (evaluationsLeft(ray) + kEvaluationsPerStep - 1u) / kEvaluationsPerStep);
+    uint taken = 0u;
+    if (isPlain(ray, most)) {
+        float perW = 1.0 / length(ray.w);
+        do {
+            float ds = usualStepAt(ray.x);
+            RayStep onward = stepRay(Ray(ray.x, ray.w), perW, ds);
+            Step next = stepOf(ray, onward, ds);
+            if (isEventful(ray, next)) {
+                eventful = true;
+                break;
+            }
+            taken += 1u;
+            perW = onward.perW;
             move(ray, next);
             followBoundary(ray, next.nBefore, next.inBand, next.middle, next.w, next.optics);
             passStep(ray, next);
-            endRay(ray);
-            left -= 1u;
-        }
-        goes = goes && !eventful && isPlain(ray, left);
-    } while (goes);
+            endFaintRay(ray);
+        } while (isPlain(ray, most - taken));
+    }
+    left -= taken;
+    ray.evaluations += (taken + uint(eventful)) * kEvaluationsPerStep;
+    endRay(ray);
     return eventful;
 }
 
@@ -35,10 +43,10 @@ void main() {
         return;
     }
     rayIndex = listedRay(kPlainRays);
-    RayState ray = rays[rayIndex];
+    RayState ray = loadRay(rayIndex);
     loadSteepest();
     stopInsideOpaque(ray);
-    uint left = stepsPerSlice;
+    uint left = view.stepsPerSlice;
     bool eventful = false;
     do {
         flyAhead(ray, left);

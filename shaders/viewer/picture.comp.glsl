@@ -1,6 +1,6 @@
 // The film as a texture for the screen: tone-mapped, or in false colour by one of the ways to look.
 #include "physics/tone.glsl"
-#include "shared/view_blocks.h"
+#include "viewer/film_pixels.glsl"
 #include "shared/look_block.h"
 #include "fields/fields.glsl"
 #include "viewer/light.glsl"
@@ -8,14 +8,13 @@
 
 layout(local_size_x = kRaysPerGroup) in;
 
-layout(std430, binding = kStorageFilm) readonly buffer Film { FilmPixel film[]; };
 #ifdef LOOK_ERROR
-layout(std430, binding = kStorageComparedFilm) readonly buffer ComparedFilm { FilmPixel comparedFilm[]; };
+layout(binding = kUnitComparedFilm) uniform usamplerBuffer comparedTexels;
 #endif
 layout(rgba8, binding = kImagePicture) writeonly uniform image2D picture;
 
 vec3 displayed(vec3 radiance) {
-    vec3 exposed = radiance * exposureScale;
+    vec3 exposed = radiance * view.exposureScale;
 #if defined(TONE_AGX)
     exposed = toneAgx(exposed);
 #elif defined(TONE_REINHARD)
@@ -45,11 +44,11 @@ vec3 sliceColor(vec3 x) {
 
 // A straight look at the plane, over the picture dimmed.
 vec3 sliceOver(vec3 behind, ivec2 pixel) {
-    vec2 screen = 2.0 * (vec2(pixel) + 0.5) / vec2(imageSize) - 1.0;
-    vec3 ray = cameraForward + cameraRight * screen.x - cameraUp * screen.y;
-    float along = (slicePosition - cameraPosition[sliceAxis]) / ray[sliceAxis];
-    vec3 x = cameraPosition + along * ray;
-    bool hit = along > 0.0 && all(greaterThanEqual(x, domainMin)) && all(lessThanEqual(x, domainMax));
+    vec2 screen = 2.0 * (vec2(pixel) + 0.5) / vec2(view.imageSize) - 1.0;
+    vec3 ray = view.cameraForward + view.cameraRight * screen.x - view.cameraUp * screen.y;
+    float along = (slicePosition - view.cameraPosition[sliceAxis]) / ray[sliceAxis];
+    vec3 x = view.cameraPosition + along * ray;
+    bool hit = along > 0.0 && all(greaterThanEqual(x, domain.min)) && all(lessThanEqual(x, domain.max));
     return hit ? sliceColor(x) : 0.25 * behind;
 }
 
@@ -66,25 +65,26 @@ float differencePercent(vec3 radiance, vec3 compared) {
 
 #endif
 
-vec3 pictureColor(FilmPixel pixel, ivec2 at) {
+// `radiance`: in alpha steps.
+vec3 pictureColor(vec4 radiance, uint pixel, ivec2 at) {
 #if defined(LOOK_ERROR)
-    return turbo(onScale(differencePercent(pixel.radiance, comparedFilm[at.y * tileSize.x + at.x].radiance)));
+    return turbo(onScale(differencePercent(radiance.rgb, filmRow(comparedTexels, pixel, kRadianceRow).rgb)));
 #elif defined(LOOK_STEPS)
-    return turbo(onScale(pixel.steps));
+    return turbo(onScale(radiance.a));
 #elif defined(LOOK_RADIANCE)
-    return turbo(onScale(log2(max(dot(pixel.radiance, vec3(1.0 / 3.0)), 1e-20))));
+    return turbo(onScale(log2(max(dot(radiance.rgb, vec3(1.0 / 3.0)), 1e-20))));
 #elif defined(LOOK_SLICE)
-    return sliceOver(displayed(pixel.radiance), at);
+    return sliceOver(displayed(radiance.rgb), at);
 #else
-    return displayed(pixel.radiance);
+    return displayed(radiance.rgb);
 #endif
 }
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= rayCount) {
+    if (index >= view.rayCount) {
         return;
     }
-    ivec2 pixel = ivec2(int(index) % tileSize.x, int(index) / tileSize.x);
-    imageStore(picture, pixel, vec4(pictureColor(film[index], pixel), 1.0));
+    ivec2 pixel = ivec2(int(index) % view.tileSize.x, int(index) / view.tileSize.x);
+    imageStore(picture, pixel, vec4(pictureColor(filmRow(filmTexels, index, kRadianceRow), index, pixel), 1.0));
 }

@@ -42,23 +42,25 @@ RayState rayFrom(Reflection from, uint dispersed) {
 }
 
 void nextRound(uint index) {
-    if (rays[index].status != kNoRay) {
-        gather(index, rays[index]);
+    RayState ended = loadRay(index);
+    if (ended.status != kNoRay) {
+        gather(index, ended);
     }
     uint waiting = reflections[index].waiting;
     if (waiting == 0u) {
-        rays[index].status = kNoRay;
+        ended.status = kNoRay;
+        storeWholeRay(index, ended);
         reflections[index].facets = 0u;
         return;
     }
-    rays[index] = rayFrom(reflections[index].list[waiting - 1u], directRays[index].dispersed);
+    storeWholeRay(index, rayFrom(reflections[index].list[waiting - 1u], directRays[index].dispersed));
     reflections[index].waiting = waiting - 1u;
     listRay(kPlainRays, index);
 }
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index < rayCount) {
+    if (index < view.rayCount) {
         nextRound(index);
     }
 }

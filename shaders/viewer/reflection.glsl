@@ -56,7 +56,7 @@ vec3 tintOfMirror() {
 // What is behind the mirror has taken nothing yet from light that it reflects: `steepest` holds the transmittance that counts.
 bool isWorthFollowing(RayState ray, Polarised throughput) {
     vec3 left = steepest.transmittance * (0.5 * (throughput.s + throughput.p));
-    return ray.generation < mostGenerations && max(left.r, max(left.g, left.b)) >= leastReflected;
+    return ray.generation < view.mostGenerations && max(left.r, max(left.g, left.b)) >= view.leastReflected;
 }
 
 // The reflected ray on the mirror that `met` has reached.

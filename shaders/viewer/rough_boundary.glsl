@@ -14,9 +14,9 @@ uvec3 pcg3d(uvec3 v) {
 vec2 nextUniform() {
     uint facet = reflections[rayIndex].facets;
     reflections[rayIndex].facets = facet + 1u;
-    uvec2 start = pcg3d(uvec3(uvec2(tileOrigin + tilePixel(rayIndex)), facet)).xy >> 8u;
+    uvec2 start = pcg3d(uvec3(uvec2(view.tileOrigin + tilePixel(rayIndex)), facet)).xy >> 8u;
     const vec2 kStep = vec2(0.2360679774997897, 0.6457513110645906);  // of the roots of 5 and 7
-    return fract(vec2(start) / 16777216.0 + fract(float(roundIndex) * kStep));
+    return fract(vec2(start) / 16777216.0 + fract(float(view.roundIndex) * kStep));
 }
 
 BoundarySplit roughSplit(Crossing crossing, vec3 w, float nEnd, float roughness) {

@@ -26,15 +26,15 @@ vec3 surfaceNormal(vec3 x, vec3 direction) {
 // the axes. Nothing shades it.
 vec3 ambientRadiance(vec3 normal) {
     vec3 weight = normal * normal;
-    return weight.x * ambient[normal.x >= 0.0 ? 0 : 1].rgb + weight.y * ambient[normal.y >= 0.0 ? 2 : 3].rgb +
-           weight.z * ambient[normal.z >= 0.0 ? 4 : 5].rgb;
+    return weight.x * viewGiven.ambient[normal.x >= 0.0 ? 0 : 1].rgb + weight.y * viewGiven.ambient[normal.y >= 0.0 ? 2 : 3].rgb +
+           weight.z * viewGiven.ambient[normal.z >= 0.0 ? 4 : 5].rgb;
 }
 
 // A diffuse surface under the baked light, looked up a voxel off it, and under the environment.
 vec3 surfaceRadiance(vec3 x, vec3 normal) {
     vec3 received = ambientRadiance(normal);
 #ifdef BAKED_LIGHT
-    received += fluxOnto(x + normal * opaqueOffset, normal) / kPi;
+    received += fluxOnto(x + normal * view.opaqueOffset, normal) / kPi;
 #endif
     // Coverage thins out over the last voxel of an object, and its albedo with it is only certain inside.
     return sampleOpaque(x - 0.5 * normal * voxelAt(x)).rgb * received;
@@ -63,12 +63,13 @@ vec3 radianceBehind(RayState ray, vec3 normal) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= rayCount || !isFollowed(rays[index])) {
+    RayState ray = loadRay(min(index, view.rayCount - 1u));
+    if (index >= view.rayCount || !isFollowed(ray)) {
         return;
     }
-    RayState ray = rays[index];
     vec3 normal = normalAtEnd(ray);
     vec3 basic = ray.radiance + rayThroughput(ray) * radianceBehind(ray, normal);
-    rays[index].crossingNormal = normal;
-    rays[index].radiance = ray.nCamera * ray.nCamera * basic;
+    ray.crossingNormal = normal;
+    ray.radiance = ray.nCamera * ray.nCamera * basic;
+    storeRows(index, rowsOf(ray), 4, 6);
 }

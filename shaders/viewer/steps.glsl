@@ -21,14 +21,22 @@ struct Step {
     bool inBand;         // of a boundary
 };
 
-void endRay(inout RayState ray) {
+void endFaintRay(inout RayState ray) {
 #if defined(MATTER) || defined(EFFECT_REFLECTION)
     vec3 left = rayThroughput(ray);
-    if (ray.status == kMarching && max(left.r, max(left.g, left.b)) < minThroughput) {
+    if (ray.status == kMarching && max(left.r, max(left.g, left.b)) < view.minThroughput) {
         ray.status = kAttenuated;
     }
 #endif
-    if (ray.status == kMarching && ray.evaluations + ray.lookUps >= maxEvaluations) {
+}
+
+uint evaluationsLeft(RayState ray) {
+    return view.maxEvaluations - min(ray.evaluations + ray.lookUps, view.maxEvaluations);
+}
+
+void endRay(inout RayState ray) {
+    endFaintRay(ray);
+    if (ray.status == kMarching && evaluationsLeft(ray) == 0u) {
         ray.status = kStepLimit;
     }
 }
@@ -87,38 +95,20 @@ void move(inout RayState ray, Step taken) {
     noteBend(ray, taken.optics.gradN, taken.first + taken.second);
 }
 
-// What marching changes: the rest of a state is neither read nor written.
-void storeRay(RayState ray) {
-    rays[rayIndex].x = ray.x;
-    rays[rayIndex].w = ray.w;
-    rays[rayIndex].n = ray.n;
-    rays[rayIndex].status = ray.status;
-    rays[rayIndex].pathLength = ray.pathLength;
-    rays[rayIndex].opticalLength = ray.opticalLength;
-    rays[rayIndex].evaluations = ray.evaluations;
+// What marching changes.
+void storeRay(RayState marched) {
+    RayState ray = marched;
 #ifdef EFFECT_DISPERSION
-    rays[rayIndex].dispersed = ray.dispersed | uint(hasMetDispersion);
+    ray.dispersed |= uint(hasMetDispersion);
 #endif
-#ifdef STRAIGHT_FLIGHTS
-    rays[rayIndex].lookUps = ray.lookUps;
-    rays[rayIndex].lookAgainAt = ray.lookAgainAt;
-#endif
-#ifdef MATTER
-    rays[rayIndex].depth = ray.depth;
-    rays[rayIndex].transmittance = ray.transmittance;
-    rays[rayIndex].matterSamples = ray.matterSamples;
-#endif
+    RayRows rows = rowsOf(ray);
+    storeRows(rayIndex, rows, 0, 4);
 #if defined(MATTER) || defined(EFFECT_REFLECTION)
-    rays[rayIndex].radiance = ray.radiance;
+    storeRows(rayIndex, rows, 4, 5);
 #endif
 #ifdef EFFECT_REFLECTION
-    rays[rayIndex].throughputS = ray.throughputS;
-    rays[rayIndex].throughputP = ray.throughputP;
-    rays[rayIndex].crossingNormal = ray.crossingNormal;
-    rays[rayIndex].crossingGradMax = ray.crossingGradMax;
-    rays[rayIndex].crossingStart = ray.crossingStart;
-    rays[rayIndex].crossingWTangential = ray.crossingWTangential;
-    rays[rayIndex].crossingSide = ray.crossingSide;
+    storeRows(rayIndex, rows, 5, 7);
 #endif
+    storeRows(rayIndex, rows, 7, kRowsPerRay);
     storeSteepest();
 }

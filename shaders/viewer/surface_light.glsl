@@ -12,7 +12,7 @@ float freeShare(vec3 x) {
 // Power per unit area of the surface, by band: |F·n| of the flux against the outward normal.
 vec3 fluxOnto(vec3 x, vec3 normal) {
     ivec3 size = textureSize(irradianceGrid, 0);
-    vec3 position = (x - lightMin) * lightScale * vec3(size) - 0.5;
+    vec3 position = (x - view.lightMin) * view.lightScale * vec3(size) - 0.5;
     vec3 base = floor(position);
     vec3 irradiance = vec3(0.0);
     vec3 flux = vec3(0.0);
@@ -22,7 +22,7 @@ vec3 fluxOnto(vec3 x, vec3 normal) {
         vec3 share = mix(1.0 - (position - base), position - base, upper);
         ivec3 voxel = clamp(ivec3(base + upper), ivec3(0), size - 1);
         float weight = share.x * share.y * share.z *
-                       freeShare(lightMin + (vec3(voxel) + 0.5) / (lightScale * vec3(size)));
+                       freeShare(view.lightMin + (vec3(voxel) + 0.5) / (view.lightScale * vec3(size)));
         vec3 held = weight * texelFetch(irradianceGrid, voxel, 0).rgb;
         irradiance += held;
         flux += (held.r + held.g + held.b) * texelFetch(lightDirectionGrid, voxel, 0).rgb;

@@ -1,18 +1,17 @@
 // Linear radiance to display-encoded values from 0 to 1.
 #include "physics/tone.glsl"
-#include "shared/view_blocks.h"
+#include "viewer/film_pixels.glsl"
 
 layout(local_size_x = kRaysPerGroup) in;
 
-layout(std430, binding = kStorageFilm) readonly buffer Film { FilmPixel film[]; };
 layout(std430, binding = kStorageDisplay) writeonly buffer Display { vec4 display[]; };
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= rayCount) {
+    if (index >= view.rayCount) {
         return;
     }
-    vec3 radiance = film[index].radiance * exposureScale;
+    vec3 radiance = filmRow(filmTexels, index, kRadianceRow).rgb * view.exposureScale;
 #if defined(TONE_AGX)
     radiance = toneAgx(radiance);
 #elif defined(TONE_REINHARD)

@@ -1,4 +1,9 @@
 // Both languages lay out the structs that the viewer's stages share alike.
+#include <array>
+#include <bit>
+#include <cstring>
+#include <numeric>
+
 #include "shaders/shared/domain_block.h"
 #include "shaders/shared/inset_blocks.h"
 #include "shaders/shared/look_block.h"
@@ -7,24 +12,18 @@
 #include "tests/support/block_layout.h"
 #include "tests/support/synthetic_fields.h"
 
+namespace eikonal::gpu {
+
+using glm::floatBitsToUint;
+using glm::uintBitsToFloat;
+using glm::uvec3;
+using glm::uvec4;
+#include "shaders/viewer/ray_rows.glsl"
+
+} // namespace eikonal::gpu
+
 namespace eikonal {
 namespace {
-
-test::Members rayStateMembers() {
-    return {
-        EIKONAL_MEMBER(gpu::RayState, x), EIKONAL_MEMBER(gpu::RayState, pathLength), EIKONAL_MEMBER(gpu::RayState, w),
-        EIKONAL_MEMBER(gpu::RayState, opticalLength), EIKONAL_MEMBER(gpu::RayState, depth),
-        EIKONAL_MEMBER(gpu::RayState, evaluations), EIKONAL_MEMBER(gpu::RayState, transmittance),
-        EIKONAL_MEMBER(gpu::RayState, status), EIKONAL_MEMBER(gpu::RayState, radiance),
-        EIKONAL_MEMBER(gpu::RayState, throughputS), EIKONAL_MEMBER(gpu::RayState, crossingNormal),
-        EIKONAL_MEMBER(gpu::RayState, throughputP), EIKONAL_MEMBER(gpu::RayState, crossingGradMax),
-        EIKONAL_MEMBER(gpu::RayState, crossingStart), EIKONAL_MEMBER(gpu::RayState, crossingWTangential),
-        EIKONAL_MEMBER(gpu::RayState, crossingSide), EIKONAL_MEMBER(gpu::RayState, n),
-        EIKONAL_MEMBER(gpu::RayState, nCamera), EIKONAL_MEMBER(gpu::RayState, entryDistance),
-        EIKONAL_MEMBER(gpu::RayState, lookUps), EIKONAL_MEMBER(gpu::RayState, lookAgainAt),
-        EIKONAL_MEMBER(gpu::RayState, matterSamples), EIKONAL_MEMBER(gpu::RayState, dispersed), EIKONAL_MEMBER(gpu::RayState, generation)
-    };
-}
 
 test::Members viewBlockMembers() {
     return {
@@ -53,20 +52,10 @@ test::Members viewBlockMembers() {
 
 test::Members domainBlockMembers() {
     return {
-        EIKONAL_MEMBER(gpu::DomainBlock, domainMin), EIKONAL_MEMBER(gpu::DomainBlock, domainVoxel),
-        EIKONAL_MEMBER(gpu::DomainBlock, domainMax), EIKONAL_MEMBER(gpu::DomainBlock, domainIor),
-        EIKONAL_MEMBER(gpu::DomainBlock, domainScale), EIKONAL_MEMBER(gpu::DomainBlock, domainDispersion),
-        EIKONAL_MEMBER(gpu::DomainBlock, domainSize), EIKONAL_MEMBER(gpu::DomainBlock, domainPad1)
-    };
-}
-
-test::Members filmPixelMembers() {
-    return {
-        EIKONAL_MEMBER(gpu::FilmPixel, radiance), EIKONAL_MEMBER(gpu::FilmPixel, steps),
-        EIKONAL_MEMBER(gpu::FilmPixel, exitDirection), EIKONAL_MEMBER(gpu::FilmPixel, entryDistance),
-        EIKONAL_MEMBER(gpu::FilmPixel, depth), EIKONAL_MEMBER(gpu::FilmPixel, opticalLength),
-        EIKONAL_MEMBER(gpu::FilmPixel, throughput), EIKONAL_MEMBER(gpu::FilmPixel, halfLuminance),
-        EIKONAL_MEMBER(gpu::FilmPixel, normal), EIKONAL_MEMBER(gpu::FilmPixel, normalPad)
+        EIKONAL_MEMBER(gpu::DomainBlock, min), EIKONAL_MEMBER(gpu::DomainBlock, voxel),
+        EIKONAL_MEMBER(gpu::DomainBlock, max), EIKONAL_MEMBER(gpu::DomainBlock, ior),
+        EIKONAL_MEMBER(gpu::DomainBlock, scale), EIKONAL_MEMBER(gpu::DomainBlock, dispersion),
+        EIKONAL_MEMBER(gpu::DomainBlock, size), EIKONAL_MEMBER(gpu::DomainBlock, pad)
     };
 }
 
@@ -91,16 +80,11 @@ test::Members pixelReflectionsMembers() {
 TEST(BlockLayout, OfTheMarchIsTheCompilers) {
     const gpu::Kernel march(test::sharedContext(), "viewer/march.comp.glsl",
                             {"EFFECT_REFRACTION", "EFFECT_ABSORPTION", "SAMPLES_PER_HALF 0"});
-    // Where neighbours are stored together, as in the march, Mesa does not list them.
-    const gpu::Kernel shade(test::sharedContext(), "viewer/shade.comp.glsl", {});
-    const auto rays = test::storageBlockLayout(shade, "Rays");
-    EXPECT_EQ(rays.members, test::prefixed("rays[0].", rayStateMembers()));
-    EXPECT_EQ(rays.stride, sizeof(gpu::RayState));
-    const auto view = test::uniformBlockLayout(march, "ViewBlock");
-    EXPECT_EQ(view.members, viewBlockMembers());
+    const auto view = test::uniformBlockLayout(march, "View");
+    EXPECT_EQ(view.members, test::prefixed("viewGiven.", viewBlockMembers()));
     EXPECT_EQ(view.bytes, sizeof(gpu::ViewBlock));
-    const auto domain = test::uniformBlockLayout(march, "DomainBlock");
-    EXPECT_EQ(domain.members, domainBlockMembers());
+    const auto domain = test::uniformBlockLayout(march, "Domain");
+    EXPECT_EQ(domain.members, test::prefixed("domainGiven.", domainBlockMembers()));
     EXPECT_EQ(domain.bytes, sizeof(gpu::DomainBlock));
 }
 
@@ -148,11 +132,15 @@ TEST(BlockLayout, OfALookIsTheCompilers) {
     EXPECT_EQ(look.bytes, sizeof(gpu::LookBlock));
 }
 
-TEST(BlockLayout, OfTheFilmIsTheCompilers) {
-    const gpu::Kernel accumulate(test::sharedContext(), "viewer/accumulate.comp.glsl", {});
-    const auto film = test::storageBlockLayout(accumulate, "Film");
-    EXPECT_EQ(film.members, test::prefixed("film[0].", filmPixelMembers()));
-    EXPECT_EQ(film.stride, sizeof(gpu::FilmPixel));
+TEST(BlockLayout, OfRowsOfARayIsTheCompilers) {
+    std::array<gpu::uint, sizeof(gpu::RayState) / sizeof(gpu::uint)> words;
+    std::iota(words.begin(), words.end(), 1u);
+    const auto ray = std::bit_cast<gpu::RayState>(words);
+    const gpu::RayRows rows = gpu::rowsOf(ray);
+    static_assert(sizeof rows == sizeof ray);
+    EXPECT_EQ(std::memcmp(&rows, &ray, sizeof ray), 0);
+    const gpu::RayState again = gpu::rayOf(rows);
+    EXPECT_EQ(std::memcmp(&again, &ray, sizeof ray), 0);
 }
 
 } // namespace

@@ -64,7 +64,7 @@ ivec3 following(ivec3 place, ivec3 first, ivec3 last) {
 }
 
 void addWhereInside(ivec3 voxel, vec3 powerLength, vec3 flux) {
-    if (all(greaterThanEqual(voxel, ivec3(0))) && all(lessThan(voxel, domainSize))) {
+    if (all(greaterThanEqual(voxel, ivec3(0))) && all(lessThan(voxel, domain.size))) {
         addAt(voxel, powerLength, flux);
     }
 }

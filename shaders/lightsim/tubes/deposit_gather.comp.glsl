@@ -137,7 +137,7 @@ void main() {
     // voxels that have a sample between low and high
     float rim = 0.5 / float(tube.samplesPerVoxel);
     ivec3 first = max(ivec3(ceil(low + rim)) - 1, ivec3(0));
-    ivec3 last = min(ivec3(floor(high - rim)), domainSize - 1);
+    ivec3 last = min(ivec3(floor(high - rim)), domain.size - 1);
     if (all(lessThanEqual(first, last))) {
         gatherBetween(first, last, gatherOf(part, map), cornerLightOf(part.cell));
     }

@@ -17,12 +17,12 @@ const float kReach = 0.3;
 void offerPath(vec3 x, vec3 along, float path, float change) {
     ivec3 voxel = ivec3(floor(x));
     vec3 toMiddle = vec3(voxel) + 0.5 - x;
-    if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, domainSize)) || voxel.z < settings.slabBegin ||
+    if (any(lessThan(voxel, ivec3(0))) || any(greaterThanEqual(voxel, domain.size)) || voxel.z < settings.slabBegin ||
         voxel.z >= settings.slabEnd || largestOf(abs(toMiddle)) > kReach) {
         return;
     }
     float pathAtMiddle = path + change * dot(along, toMiddle) / max(dot(along, along), 1.0e-30);
-    uint index = (uint(voxel.z - settings.slabBegin) * uint(domainSize.y) + uint(voxel.y)) * uint(domainSize.x) + uint(voxel.x);
+    uint index = (uint(voxel.z - settings.slabBegin) * uint(domain.size.y) + uint(voxel.y)) * uint(domain.size.x) + uint(voxel.x);
     atomicMin(leastPaths[index], floatBitsToUint(max(pathAtMiddle, 0.0)));
 }
 

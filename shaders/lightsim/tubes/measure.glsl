@@ -41,8 +41,8 @@ layout(binding = kUnitDetail) uniform sampler3D detailGrid;
 // that allows, and the fields hold some within its length. `along`: the edge [scene units].
 bool mayHide(vec3 x, vec3 along) {
     const float kSeen = 2.0;  // by rays with another halfway [voxels]
-    vec3 extent = abs(along) / domainVoxel;
-    ivec3 brick = ivec3(floor((x - domainMin) / (float(kBrickVoxels) * domainVoxel)));
+    vec3 extent = abs(along) / domain.voxel;
+    ivec3 brick = ivec3(floor((x - domain.min) / (float(kBrickVoxels) * domain.voxel)));
     brick = clamp(brick, ivec3(0), textureSize(detailGrid, 0) - 1);
     float bricks = round(255.0 * texelFetch(detailGrid, brick, 0).r);
     return length(extent) > kSeen && largestOf(extent) > (bricks - 1.0) * float(kBrickVoxels);

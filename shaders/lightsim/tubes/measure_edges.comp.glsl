@@ -27,8 +27,8 @@ void main() {
         uint middle = trackOf(edge.middle) + uint(k);
         vec3 a = positions[first].xyz;
         vec3 b = positions[second].xyz;
-        bool isInside = withinDomain(a, domainVoxel) || withinDomain(b, domainVoxel) ||
-                        withinDomain(positions[middle].xyz, domainVoxel);
+        bool isInside = withinDomain(a, domain.voxel) || withinDomain(b, domain.voxel) ||
+                        withinDomain(positions[middle].xyz, domain.voxel);
         if (isInside && (isReal(first) || isReal(second) || isReal(middle))) {
             Expectation expected = Expectation(0.5 * (a + b), 0.5 * (shares[first].rgb + shares[second].rgb),
                                                b - a, evenShift, distance(a, b));

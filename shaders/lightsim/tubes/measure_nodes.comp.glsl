@@ -48,7 +48,7 @@ void main() {
     TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(0u), launchShare);
     for (int k = 0; k < TUBE_SAMPLES; ++k) {
         uint centre = trackOf(node.vertices[kCentre]) + uint(k);
-        if (withinDomain(positions[centre].xyz, domainVoxel) && isReal(centre)) {
+        if (withinDomain(positions[centre].xyz, domain.voxel) && isReal(centre)) {
             measureSample(node.vertices[kCentre], k, expectedCentre(node, k), power, measure);
         }
     }

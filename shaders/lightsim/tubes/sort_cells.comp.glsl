@@ -23,8 +23,8 @@ TubeCell cellOf(TubeJob job, uint quarter) {
         for (uint k = first + 1u; k <= last; ++k) {
             arc += positions[track + k].w;
         }
-        cell.corners[i] = vec4((positions[track + first].xyz - domainMin) / domainVoxel, 0.0);
-        cell.corners[i + 4u] = vec4((positions[track + last].xyz - domainMin) / domainVoxel, arc / domainVoxel);
+        cell.corners[i] = vec4((positions[track + first].xyz - domain.min) / domain.voxel, 0.0);
+        cell.corners[i + 4u] = vec4((positions[track + last].xyz - domain.min) / domain.voxel, arc / domain.voxel);
         cell.shares[i] = shares[track + first];
         cell.shares[i + 4u] = shares[track + last];
     }
@@ -44,7 +44,7 @@ bool meetsDomain(TubeCell cell) {
         low = min(low, cell.corners[i].xyz);
         high = max(high, cell.corners[i].xyz);
     }
-    return all(lessThan(low, vec3(domainSize))) && all(greaterThan(high, vec3(0.0)));
+    return all(lessThan(low, vec3(domain.size))) && all(greaterThan(high, vec3(0.0)));
 }
 
 bool hasLight(TubeCell cell) {

@@ -113,7 +113,7 @@ void main() {
         nearBefore = nearNow;
     }
     presence.ended = ray.status == PARTICLE_BLOCKED || (ray.status >= PARTICLE_EXITED && !nearBefore &&
-                     dot(ray.w, 0.5 * (domainMin + domainMax) - ray.x) < 0.0) ? 1u : 0u;
+                     dot(ray.w, 0.5 * (domain.min + domain.max) - ray.x) < 0.0) ? 1u : 0u;
     presence.remaining = ray.status <= PARTICLE_INSIDE || nearBefore ? largestOf(shareLeft(ray)) : 0.0;
     presences[self] = presence;
     vertices[self].ray = ray;

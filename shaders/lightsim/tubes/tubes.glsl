@@ -9,7 +9,7 @@ layout(std140, binding = TUBE_SETTINGS_BINDING) uniform TubeBlock {
 
 // Whether a point is within a margin of the domain.
 bool withinDomain(vec3 x, float margin) {
-    return all(greaterThan(x, domainMin - margin)) && all(lessThan(x, domainMax + margin));
+    return all(greaterThan(x, domain.min - margin)) && all(lessThan(x, domain.max + margin));
 }
 
 float largestOf(vec3 value) {

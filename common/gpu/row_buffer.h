@@ -1,0 +1,24 @@
+#pragma once
+// A buffer that kernels write by rows of four words and read as texels, which takes the software renderer a tenth of the time
+// that it takes to read storage.
+
+#include "common/gpu/objects.h"
+
+namespace eikonal::gpu {
+
+class RowBuffer : public Buffer {
+public:
+    /// Throws badInput if there are more rows of 16 bytes than the device has texels for.
+    RowBuffer(const Context& context, std::size_t bytes, std::string_view label);
+    RowBuffer(RowBuffer&& other) noexcept;
+    RowBuffer& operator=(RowBuffer&& other) noexcept;
+    ~RowBuffer();
+
+    /// For kernels that read it.
+    void bindTexels(GLuint unit) const;
+
+private:
+    GLuint texels_ = 0;
+};
+
+} // namespace eikonal::gpu

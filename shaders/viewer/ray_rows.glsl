@@ -1,0 +1,62 @@
+// A ray's state as it lies in memory, in rows of four words: RayState's members in their order.
+
+const int kRowsPerRay = 9;
+
+struct RayRows {
+    uvec4 row[kRowsPerRay];
+};
+
+uvec4 rowOf(vec3 first, float last) {
+    return uvec4(floatBitsToUint(first), floatBitsToUint(last));
+}
+
+uvec4 rowOf(vec3 first, uint last) {
+    return uvec4(floatBitsToUint(first), last);
+}
+
+RayRows rowsOf(RayState ray) {
+    RayRows rows;
+    rows.row[0] = rowOf(ray.x, ray.pathLength);
+    rows.row[1] = rowOf(ray.w, ray.opticalLength);
+    rows.row[2] = rowOf(ray.depth, ray.evaluations);
+    rows.row[3] = rowOf(ray.transmittance, ray.status);
+    rows.row[4] = rowOf(ray.radiance, ray.throughputS);
+    rows.row[5] = rowOf(ray.crossingNormal, ray.throughputP);
+    rows.row[6] = rowOf(vec3(ray.crossingGradMax, ray.crossingStart, ray.crossingWTangential), ray.crossingSide);
+    rows.row[7] = rowOf(vec3(ray.n, ray.nCamera, ray.entryDistance), ray.lookUps);
+    rows.row[8] = uvec4(floatBitsToUint(ray.lookAgainAt), ray.matterSamples, ray.dispersed, ray.generation);
+    return rows;
+}
+
+vec3 vectorOf(uvec4 row) {
+    return uintBitsToFloat(uvec3(row));
+}
+
+RayState rayOf(RayRows rows) {
+    RayState ray;
+    ray.x = vectorOf(rows.row[0]);
+    ray.pathLength = uintBitsToFloat(rows.row[0].w);
+    ray.w = vectorOf(rows.row[1]);
+    ray.opticalLength = uintBitsToFloat(rows.row[1].w);
+    ray.depth = vectorOf(rows.row[2]);
+    ray.evaluations = rows.row[2].w;
+    ray.transmittance = vectorOf(rows.row[3]);
+    ray.status = rows.row[3].w;
+    ray.radiance = vectorOf(rows.row[4]);
+    ray.throughputS = uintBitsToFloat(rows.row[4].w);
+    ray.crossingNormal = vectorOf(rows.row[5]);
+    ray.throughputP = uintBitsToFloat(rows.row[5].w);
+    ray.crossingGradMax = uintBitsToFloat(rows.row[6].x);
+    ray.crossingStart = uintBitsToFloat(rows.row[6].y);
+    ray.crossingWTangential = uintBitsToFloat(rows.row[6].z);
+    ray.crossingSide = uintBitsToFloat(rows.row[6].w);
+    ray.n = uintBitsToFloat(rows.row[7].x);
+    ray.nCamera = uintBitsToFloat(rows.row[7].y);
+    ray.entryDistance = uintBitsToFloat(rows.row[7].z);
+    ray.lookUps = rows.row[7].w;
+    ray.lookAgainAt = uintBitsToFloat(rows.row[8].x);
+    ray.matterSamples = rows.row[8].y;
+    ray.dispersed = rows.row[8].z;
+    ray.generation = rows.row[8].w;
+    return ray;
+}
