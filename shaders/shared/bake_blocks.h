@@ -112,7 +112,7 @@ struct Particle {
     vec3 scatteredShare;
     float launchShare;    // the profile along it, 0 to 1
     vec3 reflectedShare;
-    float unusedA;
+    float litPart;        // of the last step: what lies in front of opaque matter
 };
 
 // A piece of a wavefront: corners in the order (u0, v0), (u1, v0), (u1, v1), (u0, v1) of its launch rectangle.
