@@ -61,6 +61,10 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     particle.reflectedShare = vec3(0.0);
     particle.arcLength = 0.0;
     particle.litPart = 1.0;
+    particle.tint = vec3(1.0);
+    particle.unusedA = 0.0;
+    particle.tintedShare = vec3(0.0);
+    particle.unusedB = 0.0;
     return particle;
 }
 
@@ -116,6 +120,18 @@ Particle attenuate(Particle particle, vec3 midpoint, float arcLength) {
     return after;
 }
 
+// What boundaries take of a loss by reflection, and what they reflect.
+Particle splitLoss(Particle particle, vec3 loss) {
+    Particle after = particle;
+#ifdef EFFECT_TINT
+    after.reflectedShare = particle.reflectedShare + loss * particle.tint;
+    after.tintedShare = particle.tintedShare + loss * (1.0 - particle.tint);
+#else
+    after.reflectedShare = particle.reflectedShare + loss;
+#endif
+    return after;
+}
+
 // Fresnel loss where the step has left an interface (physics/boundary.glsl).
 Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN) {
     Particle after = particle;
@@ -132,10 +148,14 @@ Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN)
         Polarised transmittance = crossingTransmittance(crossing, w, crossingEndIndex(crossing, inBand, n));
         after.throughputS = particle.throughputS * transmittance.s;
         after.throughputP = particle.throughputP * transmittance.p;
-        after.reflectedShare = particle.reflectedShare + particle.launchShare * particle.transmittance *
-                                                             (throughputOf(particle) - throughputOf(after));
+        after = splitLoss(after, particle.launchShare * particle.transmittance * (throughputOf(particle) - throughputOf(after)));
     }
     crossing = crossingAfter(crossing, inBand, w, n, gradN);
+#ifdef EFFECT_TINT
+    if (crossing.gradMax != particle.gradMax) {
+        after.tint = surfaceAt(x).rgb;
+    }
+#endif
     after.normal = crossing.normal;
     after.gradMax = crossing.gradMax;
     after.nStart = crossing.nStart;

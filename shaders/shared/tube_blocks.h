@@ -169,7 +169,7 @@ struct TubeSettings {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(TubeVertex) == 176 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
+static_assert(sizeof(TubeVertex) == 208 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
 static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRROR_BITS);
 static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);

@@ -39,7 +39,9 @@ test::Members particleMembers() {
         EIKONAL_MEMBER(bake::Particle, sideAtStart), EIKONAL_MEMBER(bake::Particle, absorbedShare),
         EIKONAL_MEMBER(bake::Particle, arcLength), EIKONAL_MEMBER(bake::Particle, scatteredShare),
         EIKONAL_MEMBER(bake::Particle, launchShare), EIKONAL_MEMBER(bake::Particle, reflectedShare),
-        EIKONAL_MEMBER(bake::Particle, litPart)
+        EIKONAL_MEMBER(bake::Particle, litPart), EIKONAL_MEMBER(bake::Particle, tint),
+        EIKONAL_MEMBER(bake::Particle, unusedA), EIKONAL_MEMBER(bake::Particle, tintedShare),
+        EIKONAL_MEMBER(bake::Particle, unusedB)
     };
 }
 

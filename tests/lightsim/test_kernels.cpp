@@ -33,6 +33,12 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("lightsim/tubes/trace.comp.glsl", subset,
                                      {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "FOLLOW_REFLECTIONS"}));
     }
+    for (const char* kernel : {"emit", "propagate", "split", "tubes/trace"}) {
+        rows.push_back({"lightsim/" + std::string(kernel) + ".comp.glsl",
+                        {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "EFFECT_TINT"}});
+    }
+    rows.push_back({"lightsim/tubes/trace.comp.glsl",
+                    {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "EFFECT_TINT", "FOLLOW_REFLECTIONS"}});
     for (const char* list : {"PART_LIST 0", "PART_LIST 1", "PART_LIST 2"}) {
         for (const auto& subset : test::tellingSubsets({"FOLLOW_REFLECTIONS", "EFFECT_OPAQUE"})) {
             rows.push_back(test::variant("lightsim/tubes/eikonal.comp.glsl", subset, {"BANDS 3", list}));
