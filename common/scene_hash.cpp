@@ -47,8 +47,8 @@ bool matters(const Scene& scene, const std::string& section, const std::string& 
     if (section == "accuracy")
         return key != "integrator";  // of viewing rays
     const bool isOfObject = section.rfind("object.", 0) == 0;
-    const bool onlyInImages = key == "surface" || key == "roughness" || key == "reflection_tint" ||
-                              (isOfObject && key == "resolution");
+    const bool onlyInImages = key == "surface" || key == "roughness" || (isOfObject && key == "resolution") ||
+                              (key == "reflection_tint" && scene.accuracy.reflections == 0);
     return key != "name" && !onlyInImages;
 }
 

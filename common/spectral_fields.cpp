@@ -77,7 +77,8 @@ Fields fieldsOfBand(const Fields& fields, const SpectralBand& band) {
     }
     result.cauchyB = {};
     result.cauchyGradient = {};
-    for (DenseGrid<glm::vec3> Fields::* constants : {&Fields::sigmaA, &Fields::sigmaS, &Fields::emission, &Fields::albedo}) {
+    for (DenseGrid<glm::vec3> Fields::* constants :
+         {&Fields::sigmaA, &Fields::sigmaS, &Fields::emission, &Fields::albedo, &Fields::reflectionTint}) {
         result.*constants = inAllBands(fields.*constants, band.channel);
     }
     return result;

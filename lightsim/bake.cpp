@@ -143,7 +143,7 @@ BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& sceneLig
     result.statistics.energy.emitted = grids.emitted;
     if (grids.strongestPower > 0.0) {
         const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);
-        Device& device = deviceFor(bake::bandsOf(lights, fields, effects_), fields, grids, settings);
+        Device& device = deviceFor(bake::bandsOf(lights, fields, effects_, accuracy_), fields, grids, settings);
         result.statistics.memoryBytes = device.bytes();
         result.statistics.seconds.upload = secondsSince(start);
         device.bakeSlabs(fields, options, result);

@@ -38,18 +38,20 @@ struct BakeOptions {
 struct EnergyLedger {
     glm::dvec3 emitted{0.0};    ///< power; of a beam irradiance × projected area of the domain
     glm::dvec3 entered{0.0};
-    glm::dvec3 absorbed{0.0};   ///< by the medium and by opaque matter
+    glm::dvec3 absorbed{0.0};   ///< by the medium, by opaque matter and by boundaries with a tint
     glm::dvec3 absorbedOpaque{0.0};  ///< of it, by opaque matter
+    glm::dvec3 absorbedByTint{0.0};  ///< of it, what boundaries would reflect without their tint
     glm::dvec3 scattered{0.0};
     glm::dvec3 exited{0.0};
     glm::dvec3 reflected{0.0};  ///< at boundaries, and not followed
     glm::dvec3 followed{0.0};   ///< at boundaries, and followed: it is part of what was absorbed, scattered, exited or reflected
     glm::dvec3 culled{0.0};     ///< below the energy threshold, at the step limit, or (2007 method) folded
-    glm::dvec3 depositedAbsorbed{0.0};   ///< Σ σ_a E V of the written grid: should equal absorbed - absorbedOpaque
+    glm::dvec3 depositedAbsorbed{0.0};   ///< Σ σ_a E V of the written grid: should equal absorbedByMedium()
     glm::dvec3 depositedScattered{0.0};  ///< Σ σ_s E V of the written grid: should equal scattered
 
     /// 1 - (absorbed + scattered + exited + reflected + culled)/entered; 0 where nothing entered.
     glm::dvec3 balance() const;
+    glm::dvec3 absorbedByMedium() const { return absorbed - absorbedOpaque - absorbedByTint; }
     EnergyLedger& operator+=(const EnergyLedger& other);
     /// Of a ledger of grey light, the linear Rec.709 when it is that of a spectral band.
     EnergyLedger ofBand(const glm::dvec3& toRgb) const;

@@ -28,7 +28,8 @@ void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger) {
     };
     ledger.entered = row(LEDGER_ENTERED);
     ledger.absorbedOpaque = row(LEDGER_OPAQUE);
-    ledger.absorbed = row(LEDGER_ABSORBED) + ledger.absorbedOpaque;
+    ledger.absorbedByTint = row(LEDGER_TINTED);
+    ledger.absorbed = row(LEDGER_ABSORBED) + ledger.absorbedOpaque + ledger.absorbedByTint;
     ledger.scattered = row(LEDGER_SCATTERED);
     ledger.exited = row(LEDGER_EXITED);
     ledger.followed = row(LEDGER_FOLLOWED);

@@ -131,9 +131,11 @@ TubeSettings tubeSettingsOf(const Accuracy& accuracy, const Fields& fields) {
     return settings;
 }
 
-int bandsOf(const LightSet& lights, const Fields& fields, const EffectSet& effects) {
+int bandsOf(const LightSet& lights, const Fields& fields, const EffectSet& effects, const Accuracy& accuracy) {
+    const bool tints = effects.has(Effect::kTint) && accuracy.reflections > 0;
     const bool greyMatter = (!effects.has(Effect::kAbsorption) || isGrey(fields.sigmaA)) &&
-                            (!effects.has(Effect::kScattering) || isGrey(fields.sigmaS));
+                            (!effects.has(Effect::kScattering) || isGrey(fields.sigmaS)) &&
+                            (!tints || isGrey(fields.reflectionTint));
     const bool greyLight =
         std::all_of(lights.lights.begin(), lights.lights.end(),
                     [](const Light& light) { return std::visit([](const auto& one) { return isGrey(one); }, light); }) &&

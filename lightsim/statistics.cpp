@@ -11,9 +11,10 @@ namespace eikonal {
 namespace {
 
 constexpr std::array kLedgerRows{
-    &EnergyLedger::emitted,   &EnergyLedger::entered,   &EnergyLedger::absorbed, &EnergyLedger::absorbedOpaque,
-    &EnergyLedger::scattered, &EnergyLedger::exited,    &EnergyLedger::reflected, &EnergyLedger::followed,
-    &EnergyLedger::culled,    &EnergyLedger::depositedAbsorbed, &EnergyLedger::depositedScattered};
+    &EnergyLedger::emitted,        &EnergyLedger::entered,   &EnergyLedger::absorbed,  &EnergyLedger::absorbedOpaque,
+    &EnergyLedger::absorbedByTint, &EnergyLedger::scattered, &EnergyLedger::exited,    &EnergyLedger::reflected,
+    &EnergyLedger::followed,       &EnergyLedger::culled,    &EnergyLedger::depositedAbsorbed,
+    &EnergyLedger::depositedScattered};
 
 } // namespace
 

@@ -24,6 +24,18 @@ private:
     const reference::GridField& field_;
 };
 
+/// shaders/physics/surface_normal.glsl over a field of the reference.
+class CoverageIn {
+public:
+    explicit CoverageIn(const reference::GridField& field) : field_(field) {}
+
+    real coverageAt(const real3& x) const { return field_.coverage(x); }
+#include "shaders/physics/surface_normal.glsl"
+
+private:
+    const reference::GridField& field_;
+};
+
 } // namespace
 
 } // namespace eikonal::f64
@@ -220,14 +232,9 @@ bool Walk::step() {
     return !hit && !leaves;
 }
 
-/// Outward normal from the coverage a voxel around; on a cut face of the matter, where that is flat, towards the eye.
+/// Outward normal from the coverage around; on a cut face of the matter, where that is flat, towards the eye.
 glm::dvec3 normalOf(const GridField& field, const glm::dvec3& x, const glm::dvec3& direction) {
-    glm::dvec3 gradient(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 offset(0.0);
-        offset[axis] = field.lattice().voxel;
-        gradient[axis] = field.coverage(x + offset) - field.coverage(x - offset);
-    }
+    const glm::dvec3 gradient = f64::CoverageIn(field).coverageGradient(x, field.lattice().voxel);
     const double magnitude = glm::length(gradient);
     return magnitude > 1e-4 ? -gradient / magnitude : -direction;
 }

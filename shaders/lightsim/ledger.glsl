@@ -29,6 +29,7 @@ EnergyRows rowsOf(Particle ray) {
     rows.share[LEDGER_EXITED] = ray.status == PARTICLE_EXITED ? left : vec3(0.0);
     rows.share[LEDGER_OPAQUE] = ray.status == PARTICLE_BLOCKED ? left : vec3(0.0);
     rows.share[LEDGER_CULLED] = ray.status == PARTICLE_INSIDE ? left : vec3(0.0);
+    rows.share[LEDGER_TINTED] = ray.tintedShare;
     rows.share[LEDGER_FOLLOWED] = vec3(0.0);
 #ifdef FOLLOW_REFLECTIONS
     if (ray.enteredShare == 0.0) {  // it began at a mirror, with all that it did

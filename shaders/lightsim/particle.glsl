@@ -9,6 +9,10 @@
 #include "physics/attenuation.glsl"
 #include "physics/profile.glsl"
 
+#ifdef EFFECT_OPAQUE
+#include "fields/opaque_path.glsl"
+#endif
+
 float launchShareOf(LaunchFrame frame, vec3 direction) {
     if (frame.profile == PROFILE_CONE) {
         return coneShare(direction, frame.profileAxis, frame.coneInner, frame.coneOuter);
@@ -56,7 +60,11 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     particle.scatteredShare = vec3(0.0);
     particle.reflectedShare = vec3(0.0);
     particle.arcLength = 0.0;
+    particle.litPart = 1.0;
+    particle.tint = vec3(1.0);
     particle.unusedA = 0.0;
+    particle.tintedShare = vec3(0.0);
+    particle.unusedB = 0.0;
     return particle;
 }
 
@@ -112,14 +120,15 @@ Particle attenuate(Particle particle, vec3 midpoint, float arcLength) {
     return after;
 }
 
-// Both pieces of a step. Where n changes they differ in length: the matter at the place where they meet would stand for too
-// much of the slower one.
-Particle attenuateStep(Particle particle, vec3 start, vec3 middle, vec3 end) {
-    float first = length(middle - start);
-    float second = length(end - middle);
-    Particle halfWay = attenuate(particle, 0.5 * (start + middle), first);
-    Particle after = attenuate(halfWay, 0.5 * (middle + end), second);
-    after.meanShare = (halfWay.meanShare * first + after.meanShare * second) / max(first + second, 1.0e-30);
+// What boundaries take of a loss by reflection, and what they reflect.
+Particle splitLoss(Particle particle, vec3 loss) {
+    Particle after = particle;
+#ifdef EFFECT_TINT
+    after.reflectedShare = particle.reflectedShare + loss * particle.tint;
+    after.tintedShare = particle.tintedShare + loss * (1.0 - particle.tint);
+#else
+    after.reflectedShare = particle.reflectedShare + loss;
+#endif
     return after;
 }
 
@@ -139,10 +148,14 @@ Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN)
         Polarised transmittance = crossingTransmittance(crossing, w, crossingEndIndex(crossing, inBand, n));
         after.throughputS = particle.throughputS * transmittance.s;
         after.throughputP = particle.throughputP * transmittance.p;
-        after.reflectedShare = particle.reflectedShare + particle.launchShare * particle.transmittance *
-                                                             (throughputOf(particle) - throughputOf(after));
+        after = splitLoss(after, particle.launchShare * particle.transmittance * (throughputOf(particle) - throughputOf(after)));
     }
     crossing = crossingAfter(crossing, inBand, w, n, gradN);
+#ifdef EFFECT_TINT
+    if (crossing.gradMax != particle.gradMax) {
+        after.tint = surfaceAt(x).rgb;
+    }
+#endif
     after.normal = crossing.normal;
     after.gradMax = crossing.gradMax;
     after.nStart = crossing.nStart;
@@ -150,6 +163,20 @@ Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN)
     after.wTangential = crossing.wTangential;
     after.sideAtStart = crossing.sideAtStart;
 #endif
+    return after;
+}
+
+// Both pieces of a step, and between them, where the field is looked at, what boundaries reflect: the share is then the mean
+// of what it is before and after. Where n changes the pieces differ in length: the matter at the place where they meet would
+// stand for too much of the slower one.
+Particle passStep(Particle particle, vec3 start, vec3 middle, vec3 end, vec3 w, Optics optics) {
+    float first = length(middle - start);
+    float second = length(end - middle);
+    Particle halfWay = attenuate(particle, 0.5 * (start + middle), first);
+    Particle after = crossInterfaces(halfWay, middle, w, optics.n, optics.gradN);
+    after = attenuate(after, 0.5 * (middle + end), second);
+    after.meanShare = (halfWay.meanShare * first + after.meanShare * second) / max(first + second, 1.0e-30);
+    after.arcLength = particle.arcLength + first + second;
     return after;
 }
 
@@ -170,6 +197,28 @@ Particle leaveDomain(Particle particle, Ray before, Ray end) {
     return after;
 }
 
+#ifdef EFFECT_OPAQUE
+// Share of a step at which it meets opaque matter; 1: it does not, or at its very end.
+float freeShareOf(vec3 start, vec3 middle, vec3 end) {
+    float solidShare = isSolid(middle) ? 0.5 : 1.0;
+    return isSolid(solidShare < 1.0 ? middle : end) ? shareOfHit(start, middle, end, solidShare) : 1.0;
+}
+
+// The particle ends where the step meets opaque matter. Its place goes on, so that the front stays whole.
+Particle meetMatter(Particle particle, vec3 start, vec3 middle, Ray end, float freeShare, vec3 w, Optics optics) {
+    vec3 hit = pointOfPath(start, middle, end.x, freeShare);
+    Particle after = passStep(particle, start, freeShare < 0.5 ? hit : middle, hit, w, optics);
+    float litLength = after.arcLength;
+    after.arcLength = particle.arcLength + length(middle - start) + length(end.x - middle);
+    after.litPart = litLength / max(after.arcLength, 1.0e-30);
+    after.meanShare *= after.litPart;
+    after.status = PARTICLE_BLOCKED;
+    after.x = end.x;
+    after.w = normalize(end.w);
+    return after;
+}
+#endif
+
 // Drift-kick-drift inside the domain over the optical path dt; one field evaluation.
 Particle advanceInside(Particle particle, float dt) {
     Ray before;
@@ -179,21 +228,19 @@ Particle advanceInside(Particle particle, float dt) {
     Optics optics = sampleOptics(middle.x);
     Ray kicked = kickByOpticalPath(middle, optics.n, optics.gradN, dt);
     Ray end = driftByOpticalPath(kicked, 0.5 * dt);
+    vec3 w = 0.5 * (before.w + end.w);
+#ifdef EFFECT_OPAQUE
+    float freeShare = freeShareOf(before.x, middle.x, end.x);
+    if (freeShare < 1.0) {
+        return meetMatter(particle, before.x, middle.x, end, freeShare, w, optics);
+    }
+#endif
     if (!insideDomain(end.x)) {
         return leaveDomain(particle, before, end);
     }
-    Particle after = attenuateStep(particle, before.x, middle.x, end.x);
-    after = crossInterfaces(after, middle.x, 0.5 * (before.w + end.w), optics.n, optics.gradN);
+    Particle after = passStep(particle, before.x, middle.x, end.x, w, optics);
     after.x = end.x;
     after.w = end.w;
-    after.arcLength += length(middle.x - before.x) + length(end.x - middle.x);
-#ifdef EFFECT_OPAQUE
-    if (sampleOpaque(end.x).a > 0.5) {
-        after.status = PARTICLE_BLOCKED;
-        after.meanShare = vec3(0.0);
-        after.w = normalize(end.w);
-    }
-#endif
     return after;
 }
 
@@ -203,6 +250,12 @@ Particle advance(Particle particle, float t) {
     float dt = settings.opticalStep;
     after.xPrevious = particle.x;
     after.arcLength = 0.0;
+#ifdef EFFECT_OPAQUE
+    if (particle.status == PARTICLE_BLOCKED) {
+        after.litPart = 0.0;
+        after.meanShare = vec3(0.0);
+    }
+#endif
     if (particle.status == PARTICLE_WAITING && particle.enterPath < t + dt) {
         float straight = max(particle.enterPath - t, 0.0);
         after = enterDomain(after, particle.x + particle.w * straight);

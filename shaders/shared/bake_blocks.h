@@ -52,8 +52,9 @@ using glm::vec3;
 #define LEDGER_EXITED 4
 #define LEDGER_REFLECTED 5
 #define LEDGER_CULLED 6
-#define LEDGER_FOLLOWED 7  // of what was reflected, power that rays of its own follow
-#define LEDGER_ROWS 8
+#define LEDGER_TINTED 7    // taken up by boundaries that reflect less than Fresnel's share
+#define LEDGER_FOLLOWED 8  // of what was reflected, power that rays of its own follow
+#define LEDGER_ROWS 9
 
 // A direction in one word: three components of ten bits, -1 to 1 in twice this many steps. 0: none.
 #define PEAK_DIRECTION_STEPS 511
@@ -112,7 +113,11 @@ struct Particle {
     vec3 scatteredShare;
     float launchShare;    // the profile along it, 0 to 1
     vec3 reflectedShare;
+    float litPart;        // of the last step: what lies in front of opaque matter
+    vec3 tint;            // of the boundary that is being crossed, where it is steepest so far
     float unusedA;
+    vec3 tintedShare;     // what tints have taken from what boundaries reflect
+    float unusedB;
 };
 
 // A piece of a wavefront: corners in the order (u0, v0), (u1, v0), (u1, v1), (u0, v1) of its launch rectangle.
@@ -207,8 +212,8 @@ struct PeakPass {
 #ifdef __cplusplus
 static_assert(sizeof(LaunchFrame) == 128 && offsetof(LaunchFrame, strength) == 64);
 static_assert(offsetof(LaunchFrame, profileAxis) == 96);
-static_assert(sizeof(Particle) == 160 && offsetof(Particle, nStart) == 96);
-static_assert(sizeof(WavefrontPatch) == 688 && offsetof(WavefrontPatch, power) == 656);
+static_assert(sizeof(Particle) == 192 && offsetof(Particle, nStart) == 96);
+static_assert(sizeof(WavefrontPatch) == 816 && offsetof(WavefrontPatch, power) == 784);
 static_assert(sizeof(LaunchRecord) == 32);
 static_assert(sizeof(QueueState) == 160 && offsetof(QueueState, recordCount) == 96);
 static_assert(sizeof(BakeSettings) == 48);

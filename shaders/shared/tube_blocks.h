@@ -118,6 +118,7 @@ struct TubeCell {
     vec4 volumes[2];  // at the corners: root of the volume per u, v and t over the relative power there [voxels^(3/2)]
     vec3 power;       // launched into the sub-cell, by band
     float pointPower; // power x length that need not be split into more points [x voxels]
+    vec4 litParts;    // of the steps at the corners: what lies in front of opaque matter
 };
 
 // Lists of the parts of cells that are deposited alike, TUBE_LIST_PARTS entries each; they follow in the block.
@@ -168,11 +169,11 @@ struct TubeSettings {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(TubeVertex) == 176 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
+static_assert(sizeof(TubeVertex) == 208 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
 static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRROR_BITS);
 static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
-static_assert(sizeof(TubeCell) == 304 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 96 && sizeof(TubeSettings) == 48);
+static_assert(sizeof(TubeCell) == 320 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 96 && sizeof(TubeSettings) == 48);
 } // namespace eikonal::bake
 #endif

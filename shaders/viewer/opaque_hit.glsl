@@ -1,33 +1,7 @@
-// Where a viewing ray meets opaque matter: where its coverage crosses one half.
-
-const float kSolid = 0.5;
-const int kBisections = 12;
+// Where a viewing ray meets opaque matter.
 
 #ifdef EFFECT_OPAQUE
-
-bool isSolid(vec3 x) {
-    return sampleOpaque(x).a >= kSolid;
-}
-
-// A point of the step, share 0 its start, 1/2 its middle, 1 its end.
-vec3 pointOfStep(Step taken, float share) {
-    return share < 0.5 ? mix(taken.start, taken.middle, 2.0 * share)
-                       : mix(taken.middle, taken.end, 2.0 * share - 1.0);
-}
-
-float shareOfHit(Step taken, float solidShare) {
-    float free = 0.0;
-    float solid = solidShare;
-    for (int i = 0; i < kBisections && solidShare > 0.0; ++i) {
-        float middle = 0.5 * (free + solid);
-        if (isSolid(pointOfStep(taken, middle))) {
-            solid = middle;
-        } else {
-            free = middle;
-        }
-    }
-    return solid;
-}
+#include "fields/opaque_path.glsl"
 
 // The first place looked at that is solid, as a share of the step; 0: none. Steps beyond a voxel are looked at in their
 // middle too.
@@ -50,8 +24,8 @@ void cutAtOpaque(inout RayState ray, inout Step taken) {
     if (solidShare == 0.0) {
         return;
     }
-    float share = shareOfHit(taken, solidShare);
-    ray.x = pointOfStep(taken, share);
+    float share = shareOfHit(taken.start, taken.middle, taken.end, solidShare);
+    ray.x = pointOfPath(taken.start, taken.middle, taken.end, share);
     ray.status = kHitOpaque;
     taken.end = ray.x;
     taken.middle = share < 0.5 ? ray.x : taken.middle;

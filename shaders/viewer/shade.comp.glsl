@@ -9,15 +9,15 @@ layout(local_size_x = kRaysPerGroup) in;
 
 #ifdef EFFECT_OPAQUE
 
+float coverageAt(vec3 x) {
+    return sampleOpaque(x).a;
+}
+
+#include "physics/surface_normal.glsl"
+
 // Outward normal from the coverage around x; where that is flat, on a cut face of the matter, towards the eye.
 vec3 surfaceNormal(vec3 x, vec3 direction) {
-    vec3 gradient;
-    float voxel = voxelAt(x);
-    for (int axis = 0; axis < 3; ++axis) {
-        vec3 offset = vec3(0.0);
-        offset[axis] = voxel;
-        gradient[axis] = sampleOpaque(x + offset).a - sampleOpaque(x - offset).a;
-    }
+    vec3 gradient = coverageGradient(x, voxelAt(x));
     float magnitude = length(gradient);
     return magnitude > 1e-4 ? -gradient / magnitude : -direction;
 }

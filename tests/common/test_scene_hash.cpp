@@ -33,6 +33,12 @@ TEST(SceneHash, WhatTheBakeDependsOnDoes) {
         EXPECT_NE(hash, hashWith({override})) << override;
 }
 
+TEST(SceneHash, TintsMatterWhereLightIsFollowedAfterReflection) {
+    const std::string tint = "object.0.reflection_tint=[1, 0.5, 0.5]", followed = "accuracy.reflections=1";
+    EXPECT_EQ(hashWith({}), hashWith({tint}));
+    EXPECT_NE(hashWith({followed}), hashWith({followed, tint}));
+}
+
 TEST(SceneHash, ResolvedSceneHashesTheSame) {
     const Scene scene = sceneOf(kText);
     const Scene again = sceneOf(resolvedToml(scene));

@@ -39,7 +39,9 @@ test::Members particleMembers() {
         EIKONAL_MEMBER(bake::Particle, sideAtStart), EIKONAL_MEMBER(bake::Particle, absorbedShare),
         EIKONAL_MEMBER(bake::Particle, arcLength), EIKONAL_MEMBER(bake::Particle, scatteredShare),
         EIKONAL_MEMBER(bake::Particle, launchShare), EIKONAL_MEMBER(bake::Particle, reflectedShare),
-        EIKONAL_MEMBER(bake::Particle, unusedA)
+        EIKONAL_MEMBER(bake::Particle, litPart), EIKONAL_MEMBER(bake::Particle, tint),
+        EIKONAL_MEMBER(bake::Particle, unusedA), EIKONAL_MEMBER(bake::Particle, tintedShare),
+        EIKONAL_MEMBER(bake::Particle, unusedB)
     };
 }
 
@@ -199,6 +201,7 @@ TEST(BlockLayout, OfTubesIsTheCompilers) {
     const auto cells = test::storageBlockLayout(gather, "RecordBlock");
     EXPECT_EQ(cells.stride, sizeof(bake::TubeCell));
     EXPECT_EQ(cells.members.at("cells[0].power"), offsetof(bake::TubeCell, power));
+    EXPECT_EQ(cells.members.at("cells[0].litParts"), offsetof(bake::TubeCell, litParts));
     const auto parts = test::storageBlockLayout(gather, "PartBlock");
     EXPECT_EQ(parts.members.at("parts[0]"), sizeof(bake::TubePartsHeader));
 }

@@ -33,8 +33,14 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("lightsim/tubes/trace.comp.glsl", subset,
                                      {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "FOLLOW_REFLECTIONS"}));
     }
+    for (const char* kernel : {"emit", "propagate", "split", "tubes/trace"}) {
+        rows.push_back({"lightsim/" + std::string(kernel) + ".comp.glsl",
+                        {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "EFFECT_TINT"}});
+    }
+    rows.push_back({"lightsim/tubes/trace.comp.glsl",
+                    {"BANDS 3", "EFFECT_REFRACTION", "EFFECT_REFLECTION", "EFFECT_TINT", "FOLLOW_REFLECTIONS"}});
     for (const char* list : {"PART_LIST 0", "PART_LIST 1", "PART_LIST 2"}) {
-        for (const auto& subset : test::tellingSubsets({"FOLLOW_REFLECTIONS"})) {
+        for (const auto& subset : test::tellingSubsets({"FOLLOW_REFLECTIONS", "EFFECT_OPAQUE"})) {
             rows.push_back(test::variant("lightsim/tubes/eikonal.comp.glsl", subset, {"BANDS 3", list}));
         }
     }
@@ -43,7 +49,7 @@ std::vector<KernelVariant> variants() {
     }
     for (const char* bands : {"BANDS 1", "BANDS 3"}) {
         for (const char* kernel : {"deposit_gather", "deposit_points", "deposit_rays"}) {
-            for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION", "LIGHT_LOBES"})) {
+            for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION", "EFFECT_OPAQUE", "LIGHT_LOBES"})) {
                 rows.push_back(test::variant("lightsim/tubes/" + std::string(kernel) + ".comp.glsl", subset, {bands}));
             }
         }
@@ -51,6 +57,7 @@ std::vector<KernelVariant> variants() {
     for (const char* kernel : {"measure_edges", "measure_nodes"}) {
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3", "FIELD_DETAIL"}});
     }
+    rows.push_back({"lightsim/tubes/sort_cells.comp.glsl", {"BANDS 3", "EFFECT_OPAQUE"}});
     for (const char* kernel : {"measure_edges", "measure_nodes", "conform", "sort_cells", "smooth_cells", "sort_parts", "tally"}) {  // of no effect
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3"}});
     }

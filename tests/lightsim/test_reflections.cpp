@@ -85,6 +85,58 @@ TEST(Reflections, BetweenTwoFacesAreAGeometricSeries) {
                 r + t * t * (1.0 + r + r * r), 0.003);
 }
 
+Fields tinted(Fields fields, const glm::vec3& tint) {
+    fields.reflectionTint = DenseGrid<glm::vec3>(fields.lattice.size, tint);
+    return fields;
+}
+
+TEST(Reflections, OfATintedFaceAreColoured) {
+    // glass fills x > 0, and grey light falls on it
+    const Lattice lattice = test::cube(32, 1.0);
+    const Fields plain = glassFields(lattice, 1.5, [](const glm::dvec3& x) { return -x.x; });
+    const glm::dvec3 tint(1.0, 0.6, 0.0);  // as bytes hold it: 153/255
+    const Fields fields = tinted(plain, glm::vec3(tint));
+    const double reflected = bakeBeam(plain, {1.0, 0.0, 0.0}, 0).statistics.energy.reflected.x;
+    const BakeResult off = bakeBeam(fields, {1.0, 0.0, 0.0}, 0);
+    const BakeResult on = bakeBeam(fields, {1.0, 0.0, 0.0}, 1);
+    const double r = reflectanceAt(0.0, 1.5);
+    const glm::vec3 inFront = on.light.irradiance.at(voxelAt(lattice, {-0.35, 0.2, 0.3}));
+    for (int band = 0; band < 3; ++band) {
+        EXPECT_NEAR(inFront[band], 1.0 + r * tint[band], 0.024 * r + 0.005);  // as of a face without tint
+        for (const BakeResult* result : {&off, &on}) {
+            const EnergyLedger& energy = result->statistics.energy;
+            // the same rays: only rounding is between them
+            EXPECT_NEAR(energy.absorbedByTint[band], (1.0 - tint[band]) * reflected, 1e-5 * reflected);
+            EXPECT_NEAR(energy.absorbed[band], energy.absorbedByTint[band], 1e-5 * reflected);
+            EXPECT_NEAR(energy.balance()[band], 0.0, 1e-4);
+        }
+        EXPECT_NEAR(off.statistics.energy.reflected[band], tint[band] * reflected, 1e-5 * reflected);
+        // the meshes of both paths know the domain's edge to half a voxel of 32
+        EXPECT_NEAR(on.statistics.energy.followed[band], tint[band] * reflected, 0.03 * reflected);
+    }
+}
+
+TEST(Reflections, BetweenTintedFacesAreTintedAgainAndAgain) {
+    // a slab of n = 2: R = 1/9 at each face, three fifths of it left
+    const Lattice lattice = test::cube(32, 1.0);
+    const Fields fields =
+        tinted(glassFields(lattice, 2.0, [](const glm::dvec3& x) { return std::abs(x.x) - 0.4; }), glm::vec3(0.6f));
+    const double r = 1.0 / 9.0, t = 1.0 - r, tint = 0.6;
+    const auto irradiance = [&](const BakeResult& result, double x) {
+        return double(result.light.irradiance.at(voxelAt(lattice, {x, 0.0, 0.0})).x);
+    };
+    const BakeResult once = bakeBeam(fields, {1.0, 0.0, 0.0}, 1);
+    const BakeResult twice = bakeBeam(fields, {1.0, 0.0, 0.0}, 2);
+    // tolerances as of faces without tint
+    EXPECT_NEAR(irradiance(once, -0.8), 1.0 + tint * (r + t * t * r), 0.006);
+    EXPECT_NEAR(irradiance(once, 0.0), t * (1.0 + tint * r), 0.006);
+    EXPECT_NEAR(irradiance(twice, 0.0) - irradiance(once, 0.0), t * tint * tint * r * r, 0.06 * t * tint * tint * r * r);
+    EXPECT_NEAR(twice.statistics.energy.balance().x, 0.0, 1e-4);
+    // at the front, at the back, at the front again from inside, and at the back once more
+    const double taken = (1.0 - tint) * (r + t * r + tint * t * r * r + tint * tint * t * r * r * r);
+    EXPECT_NEAR(twice.statistics.energy.absorbedByTint.x / twice.statistics.energy.entered.x, taken, 0.003);
+}
+
 TEST(Reflections, WithoutBoundariesAreNone) {
     const Fields fields = test::clearSphere(16);
     const BakeResult off = bakeBeam(fields, {1.0, 0.0, 0.0}, 0);

@@ -80,7 +80,7 @@ RunResult runEikonal(const std::vector<std::string>& arguments, const RunOptions
 
 std::vector<std::string> shippedScene(const std::string& name, const TemporaryFolder& folder) {
     std::vector<std::string> arguments{std::string(EIKONAL_SCENES) + "/" + name + ".toml"};
-    if (name == "amber_figure") {
+    if (name == "amber_figure" || name == "amber_inclusions") {
         const std::string mesh = folder.file("trefoil.obj");
         const std::string volume = folder.file("trefoil.vdb");
         const RunResult figure = runEikonal({"figure", "-o", mesh});

@@ -68,8 +68,9 @@ TEST_P(Picture, LooksLikeTheGallery) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Gallery, Picture,
-                         testing::Values("glass_sphere", "amber_figure", "wine_glass", "luneburg", "fog_point_light",
-                                         "glass_plate", "prism", "rainbow_sphere", "layered_cube", "nine_spheres", "logo_block"),
+                         testing::Values("glass_sphere", "amber_figure", "amber_inclusions", "wine_glass", "luneburg",
+                                         "fog_point_light", "glass_plate", "prism", "rainbow_sphere", "layered_cube", "nine_spheres",
+                                         "logo_block"),
                          [](const auto& picture) { return picture.param; });
 
 } // namespace eikonal::test

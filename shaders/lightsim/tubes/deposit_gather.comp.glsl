@@ -2,6 +2,7 @@
 // volume there, found by inverting the map of the part (Newton). Neighbouring cells share their faces, so that every sample
 // gets one value from each sheet of the wavefront, none twice.
 #include "lightsim/tubes/deposit.glsl"
+#include "lightsim/tubes/voxel_samples.glsl"
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
 
@@ -61,7 +62,7 @@ Light lightAt(Gather gather, CornerLight corners, vec3 x, vec3 guess, float shar
     Light light = Light(vec3(0.0), vec3(0.0));
     vec3 q = invertedIn(gather.map, x, guess + 0.5);
     vec3 place = placeInCell(gather.part, q);
-    if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0))) && isPastMirror(gather.part.cell, place)) {
+    if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0))) && isLit(gather.part.cell, place)) {
         mat3 d = derivativesIn(gather.map, q);
         ivec3 cuts = gather.part.cuts;
         float own = abs(determinant(d)) * float(cuts.x * cuts.y * cuts.z);
@@ -75,7 +76,8 @@ Light lightAt(Gather gather, CornerLight corners, vec3 x, vec3 guess, float shar
 // invocations wait for each other in what follows it.
 Light gathered(Gather gather, CornerLight corners, ivec3 voxel) {
     Light light = Light(vec3(0.0), vec3(0.0));
-    int n = int(tube.samplesPerVoxel);
+    VoxelSamples samples = samplesOf(voxel);
+    int n = samples.across;
     float spacing = 1.0 / float(n);
     ivec3 first = ivec3(0);
     ivec3 last = ivec3(n - 1);
@@ -90,7 +92,7 @@ Light gathered(Gather gather, CornerLight corners, ivec3 voxel) {
         if (place.z >= n) {
             break;
         }
-        Light more = lightAt(gather, corners, x, guess, spacing * spacing * spacing);
+        Light more = lightAt(gather, corners, x, guess, samples.share);
         light.powerLength += more.powerLength;
         light.flux += more.flux;
     }
@@ -135,7 +137,7 @@ void main() {
         high = max(high, x);
     }
     // voxels that have a sample between low and high
-    float rim = 0.5 / float(tube.samplesPerVoxel);
+    float rim = 0.5 / float(mostSamplesAcross());
     ivec3 first = max(ivec3(ceil(low + rim)) - 1, ivec3(0));
     ivec3 last = min(ivec3(floor(high - rim)), domain.size - 1);
     if (all(lessThanEqual(first, last))) {

@@ -14,6 +14,22 @@ ivec3 pointsFor(vec3 extents, float powerLength, float pointPower) {
     return max(ivec3(ceil(wanted)), ivec3(1));
 }
 
+// A point of a part in the light, and what it weighs: where opaque matter ends the light, points lie in front of it.
+struct LitPoint {
+    vec3 q;
+    float weight;
+};
+
+LitPoint litPointOf(Part part, vec3 q) {
+#ifdef EFFECT_OPAQUE
+    float lit = litPartAt(part.cell, placeInCell(part, q).xy) * float(part.cuts.z) - float(part.index.z);
+    float weight = clamp(lit, 0.0, 1.0);
+    return LitPoint(vec3(q.xy, q.z * weight), weight);
+#else
+    return LitPoint(q, 1.0);
+#endif
+}
+
 void main() {
     if (gl_GlobalInvocationID.x >= header.lists[TUBE_POINT_LIST].count) {
         return;
@@ -29,20 +45,20 @@ void main() {
     // voxel after voxel, for invocations wait for each other where sums are added to
     vec3 spacing = 1.0 / vec3(counts);
     ivec3 index = ivec3(0);
-    vec3 q = 0.5 * spacing;
-    vec3 x = placeIn(map, q);
+    LitPoint at = litPointOf(part, 0.5 * spacing);
+    vec3 x = placeIn(map, at.q);
     while (index.z < counts.z) {
         ivec3 voxel = ivec3(floor(x));
         vec3 powerLength = vec3(0.0);
         vec3 flux = vec3(0.0);
         do {
-            vec3 place = placeInCell(part, q);
-            vec3 point = isPastMirror(part.cell, place) ? powerLengthAt(corners, place) * portion : vec3(0.0);
+            vec3 place = placeInCell(part, at.q);
+            vec3 point = isPastMirror(part.cell, place) ? powerLengthAt(corners, place) * (portion * at.weight) : vec3(0.0);
             powerLength += point;
-            flux += fluxOf(point, unitOf(derivativesIn(map, q)[2]));
+            flux += fluxOf(point, unitOf(derivativesIn(map, at.q)[2]));
             index = following(index, ivec3(0), counts - 1);
-            q = (vec3(index) + 0.5) * spacing;
-            x = placeIn(map, q);
+            at = litPointOf(part, (vec3(index) + 0.5) * spacing);
+            x = placeIn(map, at.q);
         } while (index.z < counts.z && ivec3(floor(x)) == voxel);
         addWhereInside(voxel, powerLength, flux);
     }

@@ -24,8 +24,10 @@ void main() {
     Part part = unpackedPart(listedPart(TUBE_RAY_LIST, gl_GlobalInvocationID.x));
     CornerLight light = cornerLightOf(part.cell);
     int corner = part.index.x;
+    vec3 from = cells[part.cell].corners[corner].xyz;
     vec3 to = cells[part.cell].corners[corner + 4].xyz;
     float hidden = partBeforeMirror(part.cell, corner);
-    depositRay(mix(cells[part.cell].corners[corner].xyz, to, hidden), to,
-               between(light.powerLength[corner], light.powerLength[corner + 4], 0.5) * ((1.0 - hidden) / float(part.cuts.x)));
+    float lit = max(litPartAtCorner(part.cell, corner), hidden);
+    depositRay(mix(from, to, hidden), mix(from, to, lit),
+               between(light.powerLength[corner], light.powerLength[corner + 4], 0.5) * ((lit - hidden) / float(part.cuts.x)));
 }

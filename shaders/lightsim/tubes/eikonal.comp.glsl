@@ -35,9 +35,10 @@ void offerPart(Part part) {
     float path = cells[part.cell].corners[0].w;
     float change = cells[part.cell].corners[1].w - path;
     float hidden = partBeforeMirror(part.cell, corner);
+    float lit = max(litPartAtCorner(part.cell, corner), hidden);
     int count = clamp(int(ceil(length(along) * kPointsPerVoxel)), 1, kMostPoints);
     for (int i = 0; i < count; ++i) {
-        float t = mix(hidden, 1.0, (float(i) + 0.5) / float(count));
+        float t = mix(hidden, lit, (float(i) + 0.5) / float(count));
         offerPath(from + along * t, along, path + change * t, change);
     }
 }
@@ -53,7 +54,7 @@ void offerPart(Part part) {
     for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
         vec3 q = (vec3(ivec3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y))) + 0.5) / vec3(counts);
         vec3 place = placeInCell(part, q);
-        if (isPastMirror(part.cell, place)) {
+        if (isLit(part.cell, place)) {
             offerPath(placeIn(map, q), derivativesIn(map, q)[2], path + change * place.z, change / float(part.cuts.z));
         }
     }

@@ -89,6 +89,9 @@ Particle mirrored(Start start, Particle before, Particle after, inout uint evalu
     ray.status = PARTICLE_MIRRORED;
     ray.w = farWave / max(dot(farWave, farWave), 1.0e-30);
     ray.enterPath = at.path;
+#ifdef EFFECT_TINT
+    ray.transmittance *= before.tint;
+#endif
     ray.throughputS = before.throughputS - after.throughputS;
     ray.throughputP = before.throughputP - after.throughputP;
     return ray;
@@ -101,6 +104,7 @@ Particle withoutHistory(Particle ray) {
     fresh.absorbedShare = vec3(0.0);
     fresh.scatteredShare = vec3(0.0);
     fresh.reflectedShare = vec3(0.0);
+    fresh.tintedShare = vec3(0.0);
     return fresh;
 }
 

@@ -9,6 +9,7 @@ layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
 };
 
 #include "lightsim/tubes/mirror_cut.glsl"
+#include "lightsim/tubes/opaque_cut.glsl"
 
 Trilinear mapOf(uint cell) {
     vec3 x[8];

@@ -37,6 +37,31 @@ TubeCell cellOf(TubeJob job, uint quarter) {
     return cell;
 }
 
+#ifdef EFFECT_OPAQUE
+// Arc lengths end at opaque matter; the cell goes on, and notes where its light ends. Corners without light go by the others.
+// A step that meets matter ends with the share that is left there; none is left behind it, from the beginning of the next.
+void cutAtMatter(inout TubeCell cell) {
+    const float kWhole = 0.999;  // of the chord: arcs of other steps are no shorter
+    float sum = 0.0;
+    float count = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        float chord = distance(cell.corners[i].xyz, cell.corners[i + 4].xyz);
+        float arc = cell.corners[i + 4].w;
+        bool cut = arc < kWhole * chord;
+        cell.litParts[i] = cut ? arc / chord : 1.0;
+        cell.corners[i + 4].w = cut ? chord : arc;
+        cell.shares[i].rgb = largestOf(cell.shares[i + 4].rgb) > 0.0 ? cell.shares[i].rgb : vec3(0.0);
+        if (largestOf(cell.shares[i].rgb) > 0.0) {
+            sum += cell.litParts[i];
+            count += 1.0;
+        }
+    }
+    for (int i = 0; i < 4; ++i) {
+        cell.litParts[i] = count > 0.0 && largestOf(cell.shares[i].rgb) == 0.0 ? sum / count : cell.litParts[i];
+    }
+}
+#endif
+
 bool meetsDomain(TubeCell cell) {
     vec3 low = cell.corners[0].xyz;
     vec3 high = low;
@@ -113,6 +138,9 @@ void main() {
     }
     TubeJob job = jobs[self / 4u];
     TubeCell cell = cellOf(job, self % 4u);
+#ifdef EFFECT_OPAQUE
+    cutAtMatter(cell);
+#endif
     if (!hasLight(cell) || !meetsDomain(cell)) {
         return;
     }

@@ -50,8 +50,14 @@ float stepsSinceMirror(Particle ray, uint stepCount) {
 }
 #endif
 
+// What is left where the last step, or its part in front of opaque matter, ends.
 vec3 shareLeft(Particle ray) {
-    return ray.status == PARTICLE_BLOCKED ? vec3(0.0) : remainingShare(ray);
+    return ray.litPart > 0.0 ? remainingShare(ray) : vec3(0.0);
+}
+
+// Arc length of the last step, in the step that meets opaque matter as far as that. Behind it only the share is 0.
+float litArcOf(Particle ray) {
+    return ray.litPart > 0.0 ? ray.arcLength * ray.litPart : ray.arcLength;
 }
 
 // Whether a step may not be joined with the one before it to a longer one. A turn by the angle a in each of three steps of a
@@ -68,7 +74,7 @@ bool isBent(Particle before, Particle after) {
 }
 
 void record(uint place, Particle ray, uint stepCount) {
-    positions[place] = vec4(ray.x, ray.arcLength);
+    positions[place] = vec4(ray.x, litArcOf(ray));
     shares[place] = vec4(shareLeft(ray), stepsSinceMirror(ray, stepCount));
 }
 
@@ -114,7 +120,8 @@ void main() {
     }
     presence.ended = ray.status == PARTICLE_BLOCKED || (ray.status >= PARTICLE_EXITED && !nearBefore &&
                      dot(ray.w, 0.5 * (domain.min + domain.max) - ray.x) < 0.0) ? 1u : 0u;
-    presence.remaining = ray.status <= PARTICLE_INSIDE || nearBefore ? largestOf(shareLeft(ray)) : 0.0;
+    bool goesOn = ray.status <= PARTICLE_INSIDE || (nearBefore && ray.status != PARTICLE_BLOCKED);
+    presence.remaining = goesOn ? largestOf(shareLeft(ray)) : 0.0;
     presences[self] = presence;
     vertices[self].ray = ray;
     vertices[self].stepCount = stepCount;

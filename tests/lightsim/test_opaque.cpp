@@ -1,0 +1,108 @@
+// Opaque matter in the light's way: light is taken up in front of it and ends on it, in the ledger and on the grid.
+#include <array>
+#include <numbers>
+
+#include "tests/lightsim/bake_scenes.h"
+
+namespace eikonal {
+namespace {
+
+const glm::dvec3 kSigma(1.0, 2.0, 0.4);  // by band [1 / scene unit]
+
+/// Absorbing matter all over the domain, and opaque matter in it.
+Fields absorberWith(const Lattice& lattice, DenseGrid<float> opaque) {
+    Fields fields = test::uniformFields(lattice);
+    fields.sigmaA = DenseGrid<glm::vec3>(lattice.size, glm::vec3(kSigma));
+    fields.opaque = std::move(opaque);
+    fields.albedo = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.8f));
+    return fields;
+}
+
+BakeResult bakeBeam(const Fields& fields, const glm::dvec3& direction = {1.0, 0.0, 0.0}) {
+    return test::bake(test::sceneWith(DirectionalLight{glm::normalize(direction), glm::dvec3(1.0)}), fields);
+}
+
+double absorbedByMedium(const EnergyLedger& energy, int band) { return energy.absorbed[band] - energy.absorbedOpaque[band]; }
+
+/// By free shares of the voxels that the wall's face cuts.
+class WallAt : public ::testing::TestWithParam<double> {};
+
+TEST_P(WallAt, EndsTheLightAtItsFace) {
+    const Lattice lattice = test::cube(32, 1.0);
+    const int cut = 10;
+    const double face = lattice.min.x + (cut + GetParam()) * lattice.voxel;
+    const BakeResult result =
+        bakeBeam(absorberWith(lattice, test::boxCoverage(lattice, {face, -2.0, -2.0}, {face + 0.8, 2.0, 2.0})));
+    const EnergyLedger& energy = result.statistics.energy;
+    const double depth = face - lattice.min.x;
+    for (int band = 0; band < 3; ++band) {
+        const double truth = 4.0 * (1.0 - std::exp(-kSigma[band] * depth));
+        // where coverage interpolates to one half is up to 0.09 voxel off the face
+        const double off = 0.09 * lattice.voxel * kSigma[band] * 4.0 * std::exp(-kSigma[band] * depth);
+        EXPECT_NEAR(absorbedByMedium(energy, band), truth, off + 1e-3 * truth);
+        // the grid knows better: what light the cut voxels hold stands for all that is free of them
+        EXPECT_NEAR(energy.depositedAbsorbed[band], truth, 1e-3 * truth);
+        const double irradiance = std::exp(-kSigma[band] * (depth - 0.5 * GetParam() * lattice.voxel));
+        // the mean over the samples in front of the face is that of a place up to an eighth of a voxel off
+        const double shift = kSigma[band] * lattice.voxel / 8.0;
+        EXPECT_NEAR(result.light.irradiance.at(cut, 16, 16)[band], irradiance, (shift + 0.005) * irradiance);
+        EXPECT_EQ(result.light.irradiance.at(cut + 1, 16, 16)[band], 0.0f);
+    }
+    EXPECT_NEAR(energy.balance().x, 0.0, 1e-5);
+}
+
+// Not where the face is as far in as a layer of samples, a voxel of four: whether these are lit is chance then.
+INSTANTIATE_TEST_SUITE_P(FreeShares, WallAt, ::testing::Values(0.25, 0.4, 0.55, 0.7, 0.9));
+
+TEST(Opaque, WallAcrossAnObliqueBeamIsLitEvenly) {
+    const Lattice lattice = test::cube(32, 1.0);
+    for (const double free : {0.6, 0.85}) {
+        const double face = lattice.min.x + (16 + free) * lattice.voxel;
+        Fields fields = absorberWith(lattice, test::boxCoverage(lattice, {face, -2.0, -2.0}, {2.0, 2.0, 2.0}));
+        fields.sigmaA = {};
+        const BakeResult result = bakeBeam(fields, {1.0, 0.5, 0.2});
+        double sum = 0.0, squares = 0.0;
+        int voxels = 0;
+        for (int k = 8; k < 24; ++k) {
+            for (int j = 14; j < 28; ++j) {  // the face is lit where the beam enters from the side x = -1
+                const double irradiance = result.light.irradiance.at(16, j, k).x;
+                sum += irradiance;
+                squares += (irradiance - 1.0) * (irradiance - 1.0);
+                ++voxels;
+            }
+        }
+        SCOPED_TRACE(free);
+        // Three layers of samples at least are free of the wall, and it may be half a layer further off than they say: a sixth.
+        EXPECT_NEAR(sum / voxels, 1.0, 1.0 / 6.0);
+        EXPECT_LT(std::sqrt(squares / voxels), 1.0 / 6.0);
+    }
+}
+
+/// What a unit beam along x loses in the absorber in front of, beside and behind a ball about the origin, in a domain of edge 2.
+double absorbedAbout(double radius, double sigma) {
+    constexpr int kRings = 4000;
+    double absorbed = (4.0 - std::numbers::pi * radius * radius) * (1.0 - std::exp(-2.0 * sigma));
+    for (int i = 0; i < kRings; ++i) {
+        const double r = radius * (i + 0.5) / kRings;
+        const double path = 1.0 - std::sqrt(radius * radius - r * r);
+        absorbed += 2.0 * std::numbers::pi * r * (radius / kRings) * (1.0 - std::exp(-sigma * path));
+    }
+    return absorbed;
+}
+
+TEST(Opaque, BallInAnAbsorberLeavesWhatItShouldInFrontOfIt) {
+    const Lattice lattice = test::cube(32, 1.0);
+    DenseGrid<float> opaque(lattice.size, 0.0f);
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) { opaque.at(v) = float(test::sphereCoverage(lattice, v, 0.5)); });
+    const EnergyLedger energy = bakeBeam(absorberWith(lattice, std::move(opaque))).statistics.energy;
+    for (int band = 0; band < 3; ++band) {
+        const double truth = absorbedAbout(0.5, kSigma[band]);
+        // a shadow's edge known to a tenth of a voxel is 0.4 % of the cross-section, and the ball hides a third of the path
+        EXPECT_NEAR(absorbedByMedium(energy, band), truth, 2e-3 * truth);
+        EXPECT_NEAR(energy.depositedAbsorbed[band], truth, 2e-3 * truth);
+        EXPECT_NEAR(energy.depositedAbsorbed[band], absorbedByMedium(energy, band), 1e-3 * truth);
+    }
+}
+
+} // namespace
+} // namespace eikonal
