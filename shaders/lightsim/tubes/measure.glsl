@@ -41,9 +41,9 @@ float shareError(vec3 share, Expectation expected) {
 // How much of the power about a middle its neighbours put into the wrong places, if it is off by that: all of it, if what is
 // between the neighbours is voxels away, or more than twice as dense on one side of the middle as on the other.
 float misplacedPart(float deviation, float shift, float shareError) {
-    const float kAllDeviation = 4.0;  // [voxels]
-    const float kAllShift = 0.2;
-    const float kAllShareError = 0.25;
+    const float kAllDeviation = 3.0;  // [voxels]
+    const float kAllShift = 0.15;
+    const float kAllShareError = 0.2;
     return min(1.0, max(max(deviation / (kAllDeviation * domainVoxel), shift / kAllShift), shareError / kAllShareError));
 }
 

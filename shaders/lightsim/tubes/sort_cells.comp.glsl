@@ -66,8 +66,20 @@ vec3 extentsOf(TubeCell cell) {
     return extents;
 }
 
-// Whether the corners of a cell are in matter that takes up light at different rates.
+// Whether the corners of a cell are in matter that takes up light at different rates: where light goes at another speed, it may.
 bool isMixed(TubeCell cell) {
+#if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING)
+    const float kSameLength = 0.9;  // ratio of arc lengths in one medium, whose index varies by less than that
+    float shortest = 1.0e30;
+    float longest = 0.0;
+    for (int i = 4; i < 8; ++i) {
+        shortest = min(shortest, cell.corners[i].w);
+        longest = max(longest, cell.corners[i].w);
+    }
+    if (shortest < kSameLength * longest) {
+        return true;
+    }
+#endif
     const float kSameLoss = 0.03;  // difference of the losses along the steps in one medium
     vec3 leastLoss = vec3(1.0);
     vec3 mostLoss = vec3(0.0);
