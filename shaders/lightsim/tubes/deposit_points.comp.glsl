@@ -11,7 +11,7 @@ ivec3 pointsFor(vec3 extents, float powerLength, float pointPower) {
     vec3 wanted = clamp(extents * kPointsPerVoxel, vec3(1.0), vec3(float(kMostPoints)));
     float enough = powerLength / max(pointPower * settings.depositScale, 1.0e-30);
     wanted *= min(1.0, pow(max(enough, 1.0e-6) / (wanted.x * wanted.y * wanted.z), 1.0 / 3.0));
-    return max(ivec3(ceil(wanted)), ivec3(1));
+    return max(ivec3(wanted + 0.5), ivec3(1));
 }
 
 // A point of a part in the light, and what it weighs: where opaque matter ends the light, points lie in front of it.
@@ -50,16 +50,15 @@ void main() {
     while (index.z < counts.z) {
         ivec3 voxel = ivec3(floor(x));
         vec3 powerLength = vec3(0.0);
-        vec3 flux = vec3(0.0);
+        vec3 last;
         do {
+            last = at.q;
             vec3 place = placeInCell(part, at.q);
-            vec3 point = isPastMirror(part.cell, place) ? powerLengthAt(corners, place) * (portion * at.weight) : vec3(0.0);
-            powerLength += point;
-            flux += fluxOf(point, unitOf(derivativesIn(map, at.q)[2]));
+            powerLength += isPastMirror(part.cell, place) ? powerLengthAt(corners, place) * (portion * at.weight) : vec3(0.0);
             index = following(index, ivec3(0), counts - 1);
             at = litPointOf(part, (vec3(index) + 0.5) * spacing);
             x = placeIn(map, at.q);
         } while (index.z < counts.z && ivec3(floor(x)) == voxel);
-        addWhereInside(voxel, powerLength, flux);
+        addWhereInside(voxel, powerLength, fluxOf(powerLength, unitOf(derivativesIn(map, last)[2])));
     }
 }

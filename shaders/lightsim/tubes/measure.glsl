@@ -23,12 +23,33 @@ bool isReal(uint place) {
 #endif
 }
 
-// Whether rays are spread unevenly between two neighbours: that is by how much irradiance changes between them. It does not
-// matter within a voxel, and a front that is curved alike everywhere is even.
-bool isUneven(vec3 deviation, Expectation expected) {
+// How unevenly rays are spread between two neighbours, as the shift of the middle along the line between them over its length:
+// that is by how much irradiance changes between them. It does not matter within a voxel, and a front that is curved alike
+// everywhere is even.
+float unevenShift(vec3 deviation, Expectation expected) {
     float extent2 = dot(expected.along, expected.along);
     float shift = dot(deviation, expected.along) - expected.evenShift * extent2;
-    return extent2 > tube.evenSide * tube.evenSide && abs(shift) > tube.maxUnevenSpread * extent2;
+    return extent2 > tube.evenSide * tube.evenSide ? abs(shift) / extent2 : 0.0;
+}
+
+// By how much the light left differs from what neighbours say, relative.
+float shareError(vec3 share, Expectation expected) {
+    float larger = largestOf(max(share, expected.share));
+    return expected.extent > tube.resolvedSide ? largestOf(abs(share - expected.share)) / max(larger, 1.0e-30) : 0.0;
+}
+
+// How much of the power about a middle its neighbours put into the wrong places, if it is off by that: all of it, if what is
+// between the neighbours is voxels away, or more than twice as dense on one side of the middle as on the other.
+float misplacedPart(float deviation, float shift, float shareError) {
+    const float kAllDeviation = 3.0;  // [voxels]
+    const float kAllShift = 0.15;
+    const float kAllShareError = 0.2;
+    return min(1.0, max(max(deviation / (kAllDeviation * domain.voxel), shift / kAllShift), shareError / kAllShareError));
+}
+
+// Whether anything that is off may be halved: with less power than that, nothing is.
+bool isWorthHalving(vec3 power, uint frameIndex) {
+    return largestOf(power) > frames[frameIndex].splitPower;
 }
 
 #ifdef FIELD_DETAIL
@@ -53,17 +74,20 @@ bool mayHide(vec3 x, vec3 along) {
 }
 #endif
 
-// Adds what sample k of a middle's track says; `power`: the power about it, by band, before losses.
+// Adds what sample k of a middle's track says; `power`: the power about it, by band, before losses. Errors are spread evenly over
+// what is halved: the power that a halving puts right, not how far off a ray is, decides whether it is worth its rays.
 void measureSample(uint middle, int k, Expectation expected, vec3 power, inout TubeMeasure measure) {
     uint place = trackOf(middle) + uint(k);
     vec3 share = shares[place].rgb;
-    vec3 larger = max(share, expected.share);
-    vec3 deviation = positions[place].xyz - expected.position;
-    bool bent = length(deviation) > tube.maxDeviation || isUneven(deviation, expected);
-    bool uneven = largestOf(abs(share - expected.share)) > tube.maxShareDeviation * largestOf(larger) &&
-                  expected.extent > tube.resolvedSide;
-    if (bent || uneven || mayHide(positions[place].xyz, expected.along)) {
-        if (largestOf(power * larger) > frames[vertices[middle].frameIndex].splitPower) {
+    vec3 offset = positions[place].xyz - expected.position;
+    float deviation = length(offset);
+    float shift = unevenShift(offset, expected);
+    float error = shareError(share, expected);
+    const float kHiddenPart = 0.1;  // of the power, if there is detail and it does what middles do not tell
+    bool hides = mayHide(positions[place].xyz, expected.along);
+    if (hides || deviation > tube.maxDeviation || shift > tube.maxUnevenSpread || error > tube.maxShareDeviation) {
+        float part = max(hides ? kHiddenPart : 0.0, misplacedPart(deviation, shift, error));
+        if (isWorthHalving(part * power * max(share, expected.share), vertices[middle].frameIndex)) {
             measure.strong |= sampleBit(k);
         } else {
             measure.weak |= sampleBit(k);

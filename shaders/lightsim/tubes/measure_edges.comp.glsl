@@ -12,7 +12,8 @@ void main() {
         return;
     }
     TubeEdge edge = edges[index];
-    LaunchFrame frame = frames[vertices[edge.middle].frameIndex];
+    uint frameIndex = vertices[edge.middle].frameIndex;
+    LaunchFrame frame = frames[frameIndex];
     float side = largestOf(abs(vec3(vertices[edge.second].launch - vertices[edge.first].launch, 0.0)));
     vec3 power = frame.strength * (launchDensity(frame, vertices[edge.middle].launch) * side * side);
     // On the plane of a point light's frame rays lie further apart, by the square of the cosine in one direction, where power
@@ -21,7 +22,7 @@ void main() {
                         1.0 / 3.0);
     float evenShift = 0.5 * (spacing - 1.0) / (spacing + 1.0);
     TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(0u), vec4(0.0));
-    for (int k = 0; k < TUBE_SAMPLES; ++k) {
+    for (int k = 0; k < (isWorthHalving(power, frameIndex) ? TUBE_SAMPLES : 0); ++k) {
         uint first = trackOf(edge.first) + uint(k);
         uint second = trackOf(edge.second) + uint(k);
         uint middle = trackOf(edge.middle) + uint(k);

@@ -45,8 +45,9 @@ void main() {
     LaunchFrame frame = frames[node.frameIndex];
     vec4 launchShare = launchSharesOf(node, frame);
     vec3 power = frame.strength * dot(launchShare, vec4(1.0));
-    TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(0u), launchShare);
-    for (int k = 0; k < TUBE_SAMPLES; ++k) {
+    bool isMeasured = isWorthHalving(power, node.frameIndex);
+    TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(isMeasured ? 0u : ~0u), launchShare);
+    for (int k = 0; k < (isMeasured ? TUBE_SAMPLES : 0); ++k) {
         uint centre = trackOf(node.vertices[kCentre]) + uint(k);
         if (withinDomain(positions[centre].xyz, domain.voxel) && isReal(centre)) {
             measureSample(node.vertices[kCentre], k, expectedCentre(node, k), power, measure);

@@ -13,7 +13,7 @@ layout(std430, binding = TUBE_SORT_PARTS_BINDING) buffer PartBlock {
     uint parts[];
 };
 
-const float kLongestPart = 3.0;     // [voxels]: bounds the voxels that a gather looks at
+const float kLongestPart = 4.0;     // [voxels]: bounds the voxels that a gather looks at
 const float kLongestPoints = 1.0;   // [voxels]: uneven cells are cut to that, so that their even parts can be gathered
 const int kMostLogCuts = 3;         // along each axis
 const float kFolded = 1.0e9;        // unevenness where the map turns inside out

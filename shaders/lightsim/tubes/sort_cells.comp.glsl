@@ -91,30 +91,37 @@ vec3 extentsOf(TubeCell cell) {
     return extents;
 }
 
-// Whether the corners of a cell are in different matter, where light goes at another speed or is taken up at another rate.
+// Whether the corners of a cell are in matter that takes up light at different rates: where light goes at another speed, it may.
 bool isMixed(TubeCell cell) {
-    const float kSameLength = 0.9;     // ratio of arc lengths in one medium, whose index varies by less than that
-    const float kSameLoss = 0.03;      // difference of the losses along the steps in one medium
-    vec3 leastLoss = vec3(1.0);
-    vec3 mostLoss = vec3(0.0);
+#if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING)
+    const float kSameLength = 0.9;  // ratio of arc lengths in one medium, whose index varies by less than that
     float shortest = 1.0e30;
     float longest = 0.0;
+    for (int i = 4; i < 8; ++i) {
+        shortest = min(shortest, cell.corners[i].w);
+        longest = max(longest, cell.corners[i].w);
+    }
+    if (shortest < kSameLength * longest) {
+        return true;
+    }
+#endif
+    const float kSameLoss = 0.03;  // difference of the losses along the steps in one medium
+    vec3 leastLoss = vec3(1.0);
+    vec3 mostLoss = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         vec3 loss = 1.0 - cell.shares[i + 4].rgb / max(cell.shares[i].rgb, vec3(1.0e-30));
         leastLoss = min(leastLoss, loss);
         mostLoss = max(mostLoss, loss);
-        shortest = min(shortest, cell.corners[i + 4].w);
-        longest = max(longest, cell.corners[i + 4].w);
     }
-    return shortest < kSameLength * longest || largestOf(mostLoss - leastLoss) > kSameLoss;
+    return largestOf(mostLoss - leastLoss) > kSameLoss;
 }
 
 // Cells between whose corners there may be anything are left to rays; true if this is one. Corners that have parted far in
-// one medium share the power. Those of an unresolved node in different matter, with more than a voxel between them, leave it
-// all to the node's centre: it is always a ray of its own, while corners may be made to conform to others, and then are where
+// one medium share the power. Those of an unresolved node in such matter, with more than a voxel between them, leave it all to
+// the node's centre: it is always a ray of its own, while corners may be made to conform to others, and then are where
 // no light goes.
 bool listRays(TubeCell cell, uint self, bool weak, vec3 extents) {
-    const float kLongestCell = 12.0;   // [voxels]
+    const float kLongestCell = 24.0;   // [voxels]
     const float kLongestMixed = 1.5;   // [voxels]
     float across = max(extents.x, extents.y);
     if (weak && across > kLongestMixed && isMixed(cell)) {
