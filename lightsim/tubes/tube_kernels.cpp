@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <initializer_list>
+
+#include "shaders/shared/bindings.h"
 
 namespace eikonal::bake {
 
@@ -21,18 +24,18 @@ std::size_t itemBytes(std::size_t capacity) {
 TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity,
                          bool followsReflections)
     : context_(context), defines_(defines), vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
-      positions_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube positions"),
-      shares_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube shares"),
       frames_(context, sizeof(LaunchFrame), "launch frames"),
       nodes_(context, capacity * sizeof(TubeNode), "tube nodes"), items_(context, itemBytes(capacity), "tube items"),
       presences_(context, kPresenceHeader + capacity * sizeof(TubePresence), "tube presences"),
       measures_(context, capacity * sizeof(TubeMeasure), "tube measures"),
       reflections_(context, followsReflections ? capacity * sizeof(TubeReflections) : 0, "tube reflections"),
-      cells_(context, TUBE_MAX_JOBS * kCellsPerJob * sizeof(TubeCell), "tube cells"),
       parts_(context, sizeof(TubePartsHeader) + TUBE_LISTS * TUBE_LIST_PARTS * sizeof(std::uint32_t), "tube parts"),
       ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
       settingsBlock_(context, sizeof(BakeSettings), "bake settings"),
       tubeBlock_(context, sizeof(TubeSettings), "tube settings"),
+      positions_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube positions"),
+      shares_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube shares"),
+      cells_(context, TUBE_MAX_JOBS * kCellsPerJob * sizeof(TubeCell), "tube cells"),
       trace_(context, "lightsim/tubes/trace.comp.glsl", defines),
       measureEdges_(context, "lightsim/tubes/measure_edges.comp.glsl", defines),
       measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines),
@@ -79,7 +82,9 @@ void TubeKernels::restart(const BakeSettings& settings) {
 void TubeKernels::bindTracks() const {
     vertices_.bindStorage(TUBE_VERTICES_BINDING);
     positions_.bindStorage(TUBE_POSITIONS_BINDING);
+    positions_.bindTexels(gpu::kUnitTubePositions);
     shares_.bindStorage(TUBE_SHARES_BINDING);
+    shares_.bindTexels(gpu::kUnitTubeShares);
     frames_.bindStorage(TUBE_FRAMES_BINDING);
     items_.bindStorage(TUBE_ITEMS_BINDING);
     nodes_.bindStorage(TUBE_NODES_BINDING);
@@ -156,12 +161,12 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& de
     lists.fill({{0, 1, 1}, 0});
     parts_.upload(lists);  // the count of folded cells behind them goes on
     cells_.bindStorage(TUBE_SORT_RECORDS_BINDING);
+    cells_.bindTexels(gpu::kUnitTubeCells);
     parts_.bindStorage(TUBE_SORT_PARTS_BINDING);
     run(sortCells_, jobs.size(), kCellsPerJob);
     dispatchList(smoothCells_, TUBE_EVEN_LIST);
     dispatchList(sortParts_, TUBE_UNEVEN_LIST);
     deposits.light.bind();
-    cells_.bindStorage(TUBE_RECORDS_BINDING);
     parts_.bindStorage(TUBE_PARTS_BINDING);
     const DepositKernels& into = depositKernels(deposits.light);
     const gpu::Kernel* kernels[TUBE_DEPOSIT_LISTS] = {&into.gather, &into.points, &into.rays};
@@ -191,8 +196,10 @@ std::uint64_t TubeKernels::fieldEvaluations() const {
 
 std::size_t TubeKernels::bytes() const {
     std::size_t sum = 0;
-    for (const gpu::Buffer* buffer : {&vertices_, &positions_, &shares_, &frames_, &nodes_, &items_, &presences_, &measures_,
-                                      &reflections_, &cells_, &parts_, &ledger_, &settingsBlock_, &tubeBlock_}) {
+    const std::initializer_list<const gpu::Buffer*> buffers = {
+        &vertices_, &frames_, &nodes_, &items_, &presences_, &measures_, &reflections_, &parts_, &ledger_, &settingsBlock_,
+        &tubeBlock_, &positions_, &shares_, &cells_};
+    for (const gpu::Buffer* buffer : buffers) {
         sum += buffer->bytes();
     }
     return sum;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/gpu/objects.h"
+#include "common/gpu/row_buffer.h"
 #include "lightsim/emit.h"
 #include "lightsim/tubes/eikonal_deposit.h"
 #include "lightsim/tubes/mirrors.h"
@@ -77,8 +77,9 @@ private:
     const gpu::Context& context_;
     std::vector<std::string> defines_;
     TubeSettings tubeSettings_{};
-    gpu::Buffer vertices_, positions_, shares_, frames_, nodes_, items_, presences_, measures_, reflections_, cells_, parts_,
-        ledger_, settingsBlock_, tubeBlock_;
+    gpu::Buffer vertices_, frames_, nodes_, items_, presences_, measures_, reflections_, parts_, ledger_, settingsBlock_,
+        tubeBlock_;
+    gpu::RowBuffer positions_, shares_, cells_;
     gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sortCells_, smoothCells_, sortParts_, tally_;
     DepositKernels intoSums_;
     std::optional<DepositKernels> intoLobes_;  ///< compiled where they are first needed

@@ -24,6 +24,9 @@ const int kUnitInsetExtents = 15;   // the same: area coverage in red, 1 in gree
 const int kUnitRays = 16;           // rows of rays under way (viewer)
 const int kUnitFilm = 17;           // rows of the film's pixels (viewer)
 const int kUnitComparedFilm = 18;   // the same of another film (viewer)
+const int kUnitTubePositions = 19;  // samples of tracks (light simulator)
+const int kUnitTubeShares = 20;     // the same
+const int kUnitTubeCells = 21;      // rows of cells (light simulator)
 
 // Table of lobes: a row is a voxel's three, the strongest first, each irradiance and flux vector over it; so many rows lie
 // side by side.

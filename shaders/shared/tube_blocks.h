@@ -24,10 +24,9 @@ using glm::vec4;
 #define TUBE_RESULTS_BINDING 5   // what it answers
 #define TUBE_NODES_BINDING 6
 #define TUBE_REFLECTIONS_BINDING 7   // trace, where reflections are followed
-#define TUBE_RECORDS_BINDING 0   // deposit: cells, and the list of their parts; the sums lie at 2 to 7
-#define TUBE_PARTS_BINDING 1
+#define TUBE_PARTS_BINDING 1     // deposit: lists of the parts of cells; the sums lie at 2 to 7
 #define TUBE_EIKONAL_BINDING 2   // deposit of the eikonal, in place of the sums
-#define TUBE_SORT_RECORDS_BINDING 5  // sort_cells: the same two, beside the tracks
+#define TUBE_SORT_RECORDS_BINDING 5  // sort: cells and the lists of their parts, beside the tracks
 #define TUBE_SORT_PARTS_BINDING 7
 #define TUBE_SETTINGS_BINDING 2  // uniform block
 
@@ -173,6 +172,9 @@ static_assert(sizeof(TubeVertex) == 208 && sizeof(TubePresence) == 32 && sizeof(
 static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRROR_BITS);
 static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
+static_assert(offsetof(TubeCell, shares) == 8 * 16 && offsetof(TubeCell, volumes) == 16 * 16);  // rows of cell_rows.glsl
+static_assert(offsetof(TubeCell, power) == 18 * 16 && offsetof(TubeCell, pointPower) == 18 * 16 + 12);
+static_assert(offsetof(TubeCell, litParts) == 19 * 16 && sizeof(TubeCell) == 20 * 16);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
 static_assert(sizeof(TubeCell) == 320 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 96 && sizeof(TubeSettings) == 48);
 } // namespace eikonal::bake

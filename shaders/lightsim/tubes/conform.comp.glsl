@@ -18,8 +18,8 @@ void main() {
     uint second = trackOf(conformity.second);
     for (int k = 0; k < TUBE_SAMPLES; ++k) {
         if (!hasSample(conformity.live, k)) {
-            positions[track + uint(k)] = 0.5 * (positions[first + uint(k)] + positions[second + uint(k)]);
-            shares[track + uint(k)] = 0.5 * (shares[first + uint(k)] + shares[second + uint(k)]);
+            positions[track + uint(k)] = 0.5 * (positionAt(first + uint(k)) + positionAt(second + uint(k)));
+            shares[track + uint(k)] = 0.5 * (shareAt(first + uint(k)) + shareAt(second + uint(k)));
         }
     }
 }

@@ -9,9 +9,9 @@ struct CornerLight {
 
 CornerLight cornerLightOf(uint cell) {
     CornerLight light;
-    vec3 scaled = cells[cell].power * settings.depositScale;
+    vec3 scaled = cellRow(cell, kPowerRow).rgb * settings.depositScale;
     for (int i = 0; i < 8; ++i) {
-        light.powerLength[i] = scaled * cells[cell].shares[i].rgb * cells[cell].corners[i % 4 + 4].w;
+        light.powerLength[i] = scaled * shareOf(cell, i).rgb * cornerOf(cell, i % 4 + 4).w;
     }
     return light;
 }
@@ -19,10 +19,11 @@ CornerLight cornerLightOf(uint cell) {
 // Volume of the cell per u, v and t at a place of it, over the relative power there [voxels^3]: where the node's parabolas
 // are no good, `own`. Its root is linear along straight rays of a spherical front.
 float volumeAt(uint cell, vec3 at, float own) {
-    if (cells[cell].volumes[0].x < 0.0) {
+    vec4 before = cellRow(cell, kFirstVolumeRow);
+    if (before.x < 0.0) {
         return own;
     }
-    vec4 roots = mix(cells[cell].volumes[0], cells[cell].volumes[1], at.z);
+    vec4 roots = mix(before, cellRow(cell, kFirstVolumeRow + 1), at.z);
     float root = mix(mix(roots.x, roots.y, at.x), mix(roots.z, roots.w, at.x), at.y);
     return root * root;
 }

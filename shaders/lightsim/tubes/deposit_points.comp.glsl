@@ -40,7 +40,7 @@ void main() {
     CornerLight corners = cornerLightOf(part.cell);
     float cut = 1.0 / float(part.cuts.x * part.cuts.y * part.cuts.z);
     ivec3 counts = pointsFor(extents, largestOf(powerLengthAt(corners, placeInCell(part, vec3(0.5)))) * cut,
-                              cells[part.cell].pointPower);
+                              cellRow(part.cell, kPowerRow).w);
     float portion = cut / float(counts.x * counts.y * counts.z);
     // voxel after voxel, for invocations wait for each other where sums are added to
     vec3 spacing = 1.0 / vec3(counts);

@@ -24,8 +24,8 @@ void main() {
     Part part = unpackedPart(listedPart(TUBE_RAY_LIST, gl_GlobalInvocationID.x));
     CornerLight light = cornerLightOf(part.cell);
     int corner = part.index.x;
-    vec3 from = cells[part.cell].corners[corner].xyz;
-    vec3 to = cells[part.cell].corners[corner + 4].xyz;
+    vec3 from = cornerOf(part.cell, corner).xyz;
+    vec3 to = cornerOf(part.cell, corner + 4).xyz;
     float hidden = partBeforeMirror(part.cell, corner);
     float lit = max(litPartAtCorner(part.cell, corner), hidden);
     depositRay(mix(from, to, hidden), mix(from, to, lit),

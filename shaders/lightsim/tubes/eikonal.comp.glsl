@@ -30,10 +30,10 @@ void offerPath(vec3 x, vec3 along, float path, float change) {
 
 void offerPart(Part part) {
     int corner = part.index.x;
-    vec3 from = cells[part.cell].corners[corner].xyz;
-    vec3 along = cells[part.cell].corners[corner + 4].xyz - from;
-    float path = cells[part.cell].corners[0].w;
-    float change = cells[part.cell].corners[1].w - path;
+    vec3 from = cornerOf(part.cell, corner).xyz;
+    vec3 along = cornerOf(part.cell, corner + 4).xyz - from;
+    float path = cornerOf(part.cell, 0).w;
+    float change = cornerOf(part.cell, 1).w - path;
     float hidden = partBeforeMirror(part.cell, corner);
     float lit = max(litPartAtCorner(part.cell, corner), hidden);
     int count = clamp(int(ceil(length(along) * kPointsPerVoxel)), 1, kMostPoints);
@@ -49,8 +49,8 @@ void offerPart(Part part) {
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
     vec3 extents = lengthsOf(map);
     ivec3 counts = ivec3(clamp(ceil(extents * kPointsPerVoxel), vec3(1.0), vec3(float(kMostPoints))));
-    float path = cells[part.cell].corners[0].w;
-    float change = cells[part.cell].corners[1].w - path;
+    float path = cornerOf(part.cell, 0).w;
+    float change = cornerOf(part.cell, 1).w - path;
     for (int i = 0; i < counts.x * counts.y * counts.z; ++i) {
         vec3 q = (vec3(ivec3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y))) + 0.5) / vec3(counts);
         vec3 place = placeInCell(part, q);

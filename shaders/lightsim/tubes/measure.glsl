@@ -17,7 +17,7 @@ struct Expectation {
 // Whether a sample belongs to a ray that light has come along, not to its image before a mirror.
 bool isReal(uint place) {
 #ifdef FOLLOW_REFLECTIONS
-    return shares[place].w >= 0.0;
+    return shareAt(place).w >= 0.0;
 #else
     return true;
 #endif
@@ -78,13 +78,13 @@ bool mayHide(vec3 x, vec3 along) {
 // what is halved: the power that a halving puts right, not how far off a ray is, decides whether it is worth its rays.
 void measureSample(uint middle, int k, Expectation expected, vec3 power, inout TubeMeasure measure) {
     uint place = trackOf(middle) + uint(k);
-    vec3 share = shares[place].rgb;
-    vec3 offset = positions[place].xyz - expected.position;
+    vec3 share = shareAt(place).rgb;
+    vec3 offset = positionAt(place).xyz - expected.position;
     float deviation = length(offset);
     float shift = unevenShift(offset, expected);
     float error = shareError(share, expected);
     const float kHiddenPart = 0.1;  // of the power, if there is detail and it does what middles do not tell
-    bool hides = mayHide(positions[place].xyz, expected.along);
+    bool hides = mayHide(positionAt(place).xyz, expected.along);
     if (hides || deviation > tube.maxDeviation || shift > tube.maxUnevenSpread || error > tube.maxShareDeviation) {
         float part = max(hides ? kHiddenPart : 0.0, misplacedPart(deviation, shift, error));
         if (isWorthHalving(part * power * max(share, expected.share), vertices[middle].frameIndex)) {

@@ -26,12 +26,12 @@ void main() {
         uint first = trackOf(edge.first) + uint(k);
         uint second = trackOf(edge.second) + uint(k);
         uint middle = trackOf(edge.middle) + uint(k);
-        vec3 a = positions[first].xyz;
-        vec3 b = positions[second].xyz;
+        vec3 a = positionAt(first).xyz;
+        vec3 b = positionAt(second).xyz;
         bool isInside = withinDomain(a, domain.voxel) || withinDomain(b, domain.voxel) ||
-                        withinDomain(positions[middle].xyz, domain.voxel);
+                        withinDomain(positionAt(middle).xyz, domain.voxel);
         if (isInside && (isReal(first) || isReal(second) || isReal(middle))) {
-            Expectation expected = Expectation(0.5 * (a + b), 0.5 * (shares[first].rgb + shares[second].rgb),
+            Expectation expected = Expectation(0.5 * (a + b), 0.5 * (shareAt(first).rgb + shareAt(second).rgb),
                                                b - a, evenShift, distance(a, b));
             measureSample(edge.middle, k, expected, power, measure);
         }

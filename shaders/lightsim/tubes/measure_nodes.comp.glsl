@@ -26,12 +26,12 @@ Expectation expectedCentre(TubeNode node, int k) {
         if (i != kCentre) {
             float weight = i % 2u == 1u ? 0.5 : -0.25;
             uint place = trackOf(node.vertices[i]) + uint(k);
-            expected.position += weight * positions[place].xyz;
-            expected.share += weight * shares[place].rgb;
+            expected.position += weight * positionAt(place).xyz;
+            expected.share += weight * shareAt(place).rgb;
         }
     }
-    expected.extent = distance(positions[trackOf(node.vertices[1]) + uint(k)].xyz,
-                               positions[trackOf(node.vertices[7]) + uint(k)].xyz);
+    expected.extent = distance(positionAt(trackOf(node.vertices[1]) + uint(k)).xyz,
+                               positionAt(trackOf(node.vertices[7]) + uint(k)).xyz);
     return expected;
 }
 
@@ -49,7 +49,7 @@ void main() {
     TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(isMeasured ? 0u : ~0u), launchShare);
     for (int k = 0; k < (isMeasured ? TUBE_SAMPLES : 0); ++k) {
         uint centre = trackOf(node.vertices[kCentre]) + uint(k);
-        if (withinDomain(positions[centre].xyz, domain.voxel) && isReal(centre)) {
+        if (withinDomain(positionAt(centre).xyz, domain.voxel) && isReal(centre)) {
             measureSample(node.vertices[kCentre], k, expectedCentre(node, k), power, measure);
         }
     }

@@ -6,7 +6,7 @@ bool isPastMirror(uint cell, vec3 at) {
 #ifdef FOLLOW_REFLECTIONS
     vec4 steps;
     for (int i = 0; i < 4; ++i) {
-        steps[i] = mix(cells[cell].shares[i].w, cells[cell].shares[i + 4].w, at.z);
+        steps[i] = mix(shareOf(cell, i).w, shareOf(cell, i + 4).w, at.z);
     }
     return mix(mix(steps.x, steps.y, at.x), mix(steps.z, steps.w, at.x), at.y) >= 0.0;
 #else
@@ -17,8 +17,8 @@ bool isPastMirror(uint cell, vec3 at) {
 // The part of the steps along a corner of a cell that lies before the mirror.
 float partBeforeMirror(uint cell, int corner) {
 #ifdef FOLLOW_REFLECTIONS
-    float first = cells[cell].shares[corner].w;
-    float last = cells[cell].shares[corner + 4].w;
+    float first = shareOf(cell, corner).w;
+    float last = shareOf(cell, corner + 4).w;
     return first < 0.0 ? clamp(first / min(first - last, -1.0e-6), 0.0, 1.0) : 0.0;
 #else
     return 0.0;

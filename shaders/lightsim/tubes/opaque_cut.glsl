@@ -3,7 +3,7 @@
 // The part of the steps in front of opaque matter at a place (u, v) of a cell.
 float litPartAt(uint cell, vec2 at) {
 #ifdef EFFECT_OPAQUE
-    vec4 parts = cells[cell].litParts;
+    vec4 parts = cellRow(cell, kLitPartsRow);
     return mix(mix(parts.x, parts.y, at.x), mix(parts.z, parts.w, at.x), at.y);
 #else
     return 1.0;
@@ -13,7 +13,7 @@ float litPartAt(uint cell, vec2 at) {
 // The same at a corner.
 float litPartAtCorner(uint cell, int corner) {
 #ifdef EFFECT_OPAQUE
-    return cells[cell].litParts[corner];
+    return cellRow(cell, kLitPartsRow)[corner];
 #else
     return 1.0;
 #endif

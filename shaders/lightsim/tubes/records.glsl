@@ -2,7 +2,8 @@
 #include "lightsim/tubes/tubes.glsl"
 #include "lightsim/tubes/cell.glsl"
 
-layout(std430, binding = TUBE_RECORDS_BINDING) readonly buffer RecordBlock { TubeCell cells[]; };
+#include "lightsim/tubes/cell_rows.glsl"
+
 layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
     TubePartsHeader header;
     uint parts[];
@@ -10,14 +11,6 @@ layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
 
 #include "lightsim/tubes/mirror_cut.glsl"
 #include "lightsim/tubes/opaque_cut.glsl"
-
-Trilinear mapOf(uint cell) {
-    vec3 x[8];
-    for (int i = 0; i < 8; ++i) {
-        x[i] = cells[cell].corners[i].xyz;
-    }
-    return trilinearOf(x);
-}
 
 uint listedPart(uint list, uint index) {
     return parts[list * TUBE_LIST_PARTS + index];

@@ -15,7 +15,7 @@ void main() {
     Part part = unpackedPart(parts[TUBE_EVEN_LIST * TUBE_LIST_PARTS + gl_GlobalInvocationID.x]);
     TubeJob job = jobs[part.cell / 4u];
     TubeNode node = nodes[job.node];
-    cells[part.cell].volumes = volumesOf(node, mapOf(cells[part.cell].corners), part.cell % 4u,
+    cells[part.cell].volumes = volumesOf(node, mapOf(part.cell), part.cell % 4u,
                                          frontOf(node, firstStepOf(job)), frontOf(node, lastStepOf(job)));
     listParts(TUBE_GATHER_LIST, part.cell, findMSB(part.cuts));
 }

@@ -5,9 +5,10 @@
 // together wait for the one that has most to do.
 #include "lightsim/tubes/tubes.glsl"
 #include "lightsim/tubes/cell.glsl"
+#include "lightsim/tubes/cell_rows.glsl"
 
 layout(std430, binding = TUBE_ITEMS_BINDING) readonly buffer ItemBlock { TubeJob jobs[]; };
-layout(std430, binding = TUBE_SORT_RECORDS_BINDING) buffer RecordBlock { TubeCell cells[]; };
+layout(std430, binding = TUBE_SORT_RECORDS_BINDING) writeonly buffer RecordBlock { TubeCell cells[]; };
 layout(std430, binding = TUBE_SORT_PARTS_BINDING) buffer PartBlock {
     TubePartsHeader header;
     uint parts[];

@@ -21,12 +21,12 @@ TubeCell cellOf(TubeJob job, uint quarter) {
         uint track = trackOf(nodes[job.node].vertices[low + i % 2u + 3u * (i / 2u)]);
         float arc = 0.0;
         for (uint k = first + 1u; k <= last; ++k) {
-            arc += positions[track + k].w;
+            arc += positionAt(track + k).w;
         }
-        cell.corners[i] = vec4((positions[track + first].xyz - domain.min) / domain.voxel, 0.0);
-        cell.corners[i + 4u] = vec4((positions[track + last].xyz - domain.min) / domain.voxel, arc / domain.voxel);
-        cell.shares[i] = shares[track + first];
-        cell.shares[i + 4u] = shares[track + last];
+        cell.corners[i] = vec4((positionAt(track + first).xyz - domain.min) / domain.voxel, 0.0);
+        cell.corners[i + 4u] = vec4((positionAt(track + last).xyz - domain.min) / domain.voxel, arc / domain.voxel);
+        cell.shares[i] = shareAt(track + first);
+        cell.shares[i + 4u] = shareAt(track + last);
     }
     float pathBefore = frames[frameIndex].pathBefore + float(tube.firstStep) * settings.opticalStep;
     cell.corners[0].w = pathBefore + float(first) * settings.opticalStep;

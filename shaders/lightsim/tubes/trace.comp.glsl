@@ -98,8 +98,8 @@ void main() {
         record(track, ray, stepCount);
     } else {
         // where the front of the window before was made to conform, this one begins
-        positions[track] = positions[track + uint(TUBE_STEPS)];
-        shares[track] = shares[track + uint(TUBE_STEPS)];
+        positions[track] = positionAt(track + uint(TUBE_STEPS));
+        shares[track] = shareAt(track + uint(TUBE_STEPS));
     }
     TubePresence presence = TubePresence(uvec2(0u), uvec2(0u), 0u, 0.0, 0u, 0u);
     bool nearBefore = isNear(ray);

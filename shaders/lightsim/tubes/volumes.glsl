@@ -20,7 +20,7 @@ struct NodeFront {
 NodeFront frontOf(TubeNode node, uint k) {
     NodeFront front;
     for (int i = 0; i < 9; ++i) {
-        front.x[i] = (positions[trackOf(node.vertices[i]) + k].xyz - domain.min) / domain.voxel;
+        front.x[i] = (positionAt(trackOf(node.vertices[i]) + k).xyz - domain.min) / domain.voxel;
     }
     return front;
 }
