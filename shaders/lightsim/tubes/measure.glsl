@@ -43,7 +43,7 @@ float shareError(vec3 share, Expectation expected) {
 float misplacedPart(float deviation, float shift, float shareError) {
     const float kAllDeviation = 3.0;  // [voxels]
     const float kAllShift = 0.15;
-    const float kAllShareError = 0.2;
+    const float kAllShareError = 0.06;
     return min(1.0, max(max(deviation / (kAllDeviation * domain.voxel), shift / kAllShift), shareError / kAllShareError));
 }
 

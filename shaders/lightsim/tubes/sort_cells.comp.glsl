@@ -91,9 +91,10 @@ vec3 extentsOf(TubeCell cell) {
     return extents;
 }
 
-// Whether the corners of a cell are in matter that takes up light at different rates: where light goes at another speed, it may.
+// Whether the corners of a cell are in different matter that takes up light at different rates, or turns it back: where light goes
+// at another speed, it may.
 bool isMixed(TubeCell cell) {
-#if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING)
+#if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING) || defined(FOLLOW_REFLECTIONS)
     const float kSameLength = 0.9;  // ratio of arc lengths in one medium, whose index varies by less than that
     float shortest = 1.0e30;
     float longest = 0.0;
