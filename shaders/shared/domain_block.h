@@ -37,6 +37,9 @@ static_assert(sizeof(DomainBlock) == 64);
 #else
 layout(std140, binding = kUniformDomain) uniform Domain { DomainBlock domainGiven; };
 
-// Read once: the software renderer gathers a uniform anew, lane by lane, wherever it is named.
-DomainBlock domain = domainGiven;
+// Read once, member by member: the software renderer gathers a uniform anew, lane by lane, wherever it is named, and a copy of
+// the whole is no more to it than another name.
+DomainBlock domain = DomainBlock(
+    domainGiven.min, domainGiven.voxel, domainGiven.max, domainGiven.ior, domainGiven.scale, domainGiven.dispersion,
+    domainGiven.size, domainGiven.pad);
 #endif

@@ -159,5 +159,14 @@ static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, band
 layout(std140, binding = kUniformView) uniform View { ViewBlock viewGiven; };
 
 // Read once, as the domain is.
-ViewBlock view = viewGiven;
+ViewBlock view = ViewBlock(
+    viewGiven.cameraPosition, viewGiven.stepLength, viewGiven.cameraRight, viewGiven.minThroughput, viewGiven.cameraUp,
+    viewGiven.environmentAngle, viewGiven.cameraForward, viewGiven.environmentScale, viewGiven.horizon,
+    viewGiven.rayCount, viewGiven.zenith, viewGiven.stepsPerSlice, viewGiven.lightMin, viewGiven.maxEvaluations,
+    viewGiven.lightScale, viewGiven.opaqueOffset, viewGiven.imageSize, viewGiven.tileOrigin, viewGiven.tileSize,
+    viewGiven.subPixel, viewGiven.exposureScale, viewGiven.roundIndex, viewGiven.sampleWeight, viewGiven.filmStart,
+    viewGiven.ambient, viewGiven.contentMin, viewGiven.negligibleGradient, viewGiven.contentMax,
+    viewGiven.dispersedAtStart, viewGiven.bandToRgb, viewGiven.bandChannel, viewGiven.mostGenerations,
+    viewGiven.leastReflected, viewGiven.lensSequence, viewGiven.lensRadius, viewGiven.focusDistance,
+    viewGiven.halfWeight, viewGiven.lensHalf);
 #endif
