@@ -122,7 +122,7 @@ bool isMixed(TubeCell cell) {
 // the node's centre: it is always a ray of its own, while corners may be made to conform to others, and then are where
 // no light goes.
 bool listRays(TubeCell cell, uint self, bool weak, vec3 extents) {
-    const float kLongestCell = 24.0;   // [voxels]
+    const float kLongestCell = 12.0;   // [voxels]
     const float kLongestMixed = 1.5;   // [voxels]
     float across = max(extents.x, extents.y);
     if (weak && across > kLongestMixed && isMixed(cell)) {
