@@ -8,6 +8,7 @@ struct Ray {
 };
 
 // Viewing rays, constant step of arc length: dx/ds = w/|w|, dw/ds = grad n. Hamiltonian |w| - n.
+// `perW`: 1 / |w|.
 Ray driftAlong(Ray ray, real perW, real ds) {
     Ray moved = ray;
     moved.x = ray.x + ray.w * (ds * perW);

@@ -158,7 +158,7 @@ static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, band
 #else
 layout(std140, binding = kUniformView) uniform View { ViewBlock viewGiven; };
 
-// Read once, as the domain is.
+// Read once, as the domain is, in the order of the members.
 ViewBlock view = ViewBlock(
     viewGiven.cameraPosition, viewGiven.stepLength, viewGiven.cameraRight, viewGiven.minThroughput, viewGiven.cameraUp,
     viewGiven.environmentAngle, viewGiven.cameraForward, viewGiven.environmentScale, viewGiven.horizon,
