@@ -16,7 +16,7 @@ Generate::Generate(const gpu::Context& context, std::vector<std::string> defines
     : kernel_(context, "viewer/generate.comp.glsl", withSource(std::move(defines), source)) {}
 
 void Generate::run(RayBatch& batch) const {
-    batch.clearList(gpu::kPlainRays);
+    batch.lists.clearFilled();
     kernel_.dispatch(batch.groups());
 }
 

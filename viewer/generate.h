@@ -14,7 +14,7 @@ public:
 
     Generate(const gpu::Context& context, std::vector<std::string> defines, Source source);
 
-    /// Rays that enter the domain are on the list of plain ones.
+    /// Fills the list with the rays that enter the domain.
     void run(RayBatch& batch) const;
 
 private:

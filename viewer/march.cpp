@@ -19,8 +19,8 @@ constexpr std::uint32_t kMirrorCorrections = 2;     // of shaders/physics/mirror
 constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
-// Between looks at whether a ray is under way still, for which the device is waited for. Most rays pass a ball in six.
-constexpr std::uint32_t kSlicesAtATime = 8;
+// Between looks at whether a ray is under way still, for which the device is waited for. Most rays pass a ball in four.
+constexpr std::uint32_t kSlicesAtATime = 4;
 
 double checkedStep(double stepVoxels) {
     if (!(stepVoxels > 0.0) || !std::isfinite(stepVoxels)) {
@@ -73,17 +73,18 @@ std::uint32_t lookUpsPerStep(const std::vector<std::string>& defines, Integrator
     return lookUps;
 }
 
-/// Loop iterations of a step or flight: its own, those to a mirror, of each sample of matter one and those over the voxels about
+/// Loop iterations of a step or flight: those of the loops about it, those at a face and to a mirror, of each sample of matter one and those over the voxels about
 /// it, and of each look-up those over insets.
 std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, const MarchSettings& settings) {
     constexpr std::uint32_t kVoxelsAbout = 8;
+    constexpr std::uint32_t kLoopsAbout = 4;  // over events, flights and steps in turn, flights, steps
     const std::uint32_t ofFlight = isAmong(defines, "INSETS") ? kIterationsPerFlightWithInsets : kIterationsPerFlight;
     const std::uint32_t samples =
         std::max(isAmong(defines, "STRAIGHT_FLIGHTS") ? ofFlight : 1u, 2 * samplesPerHalfOf(settings));
     const std::uint32_t toMirror = isAmong(defines, "FOLLOW_REFLECTIONS") ? kMirrorCorrections : 0;
     const std::uint32_t overInsets = std::uint32_t(settings.insets.mostAbout) *
                                      lookUpsPerStep(defines, settings.integrator, toMirror, samples);
-    return 1 + kFaceTrials + toMirror + samples * (isAmong(defines, "LIGHT_LOBES") ? 1 + kVoxelsAbout : 1) + overInsets;
+    return kLoopsAbout + kFaceTrials + toMirror + samples * (isAmong(defines, "LIGHT_LOBES") ? 1 + kVoxelsAbout : 1) + overInsets;
 }
 
 std::vector<std::string> withSteps(std::vector<std::string> defines, const MarchSettings& settings) {
@@ -98,8 +99,8 @@ std::vector<std::string> withSteps(std::vector<std::string> defines, const March
 March::March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
              const Lattice& lattice)
     : defines_(defines), settings_(settings), lattice_(lattice),
-      plain_(context, "viewer/march.comp.glsl", withSteps(defines, settings)),
-      eventful_(context, "viewer/event.comp.glsl", withSteps(defines, settings)) {
+      first_(context, "viewer/march.comp.glsl", withSteps(defines, settings)),
+      onward_(context, "viewer/march_on.comp.glsl", withSteps(defines, settings)) {
     setInsets(settings.insets);
 }
 
@@ -119,15 +120,13 @@ void March::configure(gpu::ViewBlock& view) const {
 void March::run(RayBatch& batch) const {
     for (std::uint32_t slice = 0; slice < mostSlices(); ++slice) {
         runSlice(batch, slice);
-        if ((slice + 1) % kSlicesAtATime == 0 && batch.listedCount(gpu::kPlainRays) == 0) return;
+        if ((slice + 1) % kSlicesAtATime == 0 && batch.lists.filledCount() == 0) return;
     }
 }
 
 void March::runSlice(RayBatch& batch, std::uint32_t slice) const {
-    const gpu::uint taken = slice % 2 == 0 ? gpu::kPlainRays : gpu::kEventfulRays;
-    const gpu::uint filled = slice % 2 == 0 ? gpu::kEventfulRays : gpu::kPlainRays;
-    batch.clearList(filled);
-    (slice % 2 == 0 ? plain_ : eventful_).dispatchIndirect(batch.lists, taken * sizeof(gpu::RayListHead));
+    batch.lists.swap();
+    batch.lists.dispatch(slice == 0 ? first_ : onward_);
 }
 
 } // namespace eikonal::viewer

@@ -1,6 +1,6 @@
 #pragma once
-// Second step: rays through the domain, in slices of bounded length. Steps in which something happens are rare, and have a
-// kernel of their own.
+// Second step: rays through the domain, in slices of bounded length that end where something happens to a ray. Such steps are
+// rare: the first slice, which most rays that are followed take most of their steps in, knows none.
 
 #include <cstdint>
 #include <string>
@@ -33,10 +33,9 @@ public:
     void setInsets(const InsetBounds& insets);
     /// Sets what the kernel reads of the settings.
     void configure(gpu::ViewBlock& view) const;
-    /// Follows the rays that are listed as plain to their ends.
+    /// Follows the rays on the list that was filled to their ends.
     void run(RayBatch& batch) const;
-    /// Follows by one slice, the first being 0, the rays that are plain then, and by the next one those for which something
-    /// happens.
+    /// Follows them by one slice, the first being 0; the list then holds those that go on.
     void runSlice(RayBatch& batch, std::uint32_t slice) const;
     /// Slices in which every ray comes to its end.
     std::uint32_t mostSlices() const { return 2 * maxEvaluations_; }
@@ -47,7 +46,7 @@ private:
     Lattice lattice_;
     std::uint32_t maxEvaluations_ = 0;
     std::uint32_t stepsPerSlice_ = 0;
-    gpu::Kernel plain_, eventful_;
+    gpu::Kernel first_, onward_;
 };
 
 } // namespace eikonal::viewer

@@ -35,8 +35,9 @@ void Reflections::bind() const { waiting_.bindStorage(gpu::kStorageReflections);
 bool Reflections::marchRound(RayBatch& batch, const March& march) {
     batch.rays.bindStorage(gpu::kStorageDirectRays);
     RayBatch::bindRays(rays_);
+    batch.lists.clearFilled();
     kernel_.dispatch(batch.groups());
-    const std::uint32_t started = batch.listedCount(gpu::kPlainRays);
+    const std::uint32_t started = batch.lists.filledCount();
     count_ += started;
     if (started > 0) march.run(batch);
     RayBatch::bindRays(batch.rays);

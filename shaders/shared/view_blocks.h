@@ -20,17 +20,13 @@ using uint = unsigned int;
 const int kUniformView = 1;
 
 const int kStorageRays = 0;      // RayState, one a ray, as rows of four words
-const int kStorageGiven = 1;     // GivenRay, one a ray
 const int kStorageFilm = 2;      // FilmPixel, one a pixel, as rows of four words
 const int kStorageDisplay = 3;   // vec4, one a pixel
 const int kStorageCounters = 4;  // rays that entered and field evaluations, look-ups of clearance
                                  // and samples of matter, each low word, high word
-const int kStorageRayLists = 5;  // RayListHead of each list, then the lists' rays in turn
-
-// Rays under way are listed by what happens to them next.
-const uint kPlainRays = 0u;     // they fly, or are bent
-const uint kEventfulRays = 1u;  // a boundary ends there, opaque matter is met, or the domain ends
-const uint kRayLists = 2u;
+const int kStorageTakenRays = 5;   // RayListHead, then entries (viewer/ray_lists.glsl): the rays that a dispatch takes
+const int kStorageFilledRays = 1;  // the same of those that it leaves to the next
+const int kStorageGiven = 7;       // GivenRay, one a ray, where rays are begun; later kStorageDirectRays is there
 
 const int kRaysPerGroup = 64;
 const int kRaysPerCount = 16;  // that one invocation counts

@@ -88,7 +88,7 @@ void main() {
         RayState ray = passVacuum(enterDomain(initialRay(index)));
         storeWholeRay(index, ray);
         if (ray.status == kMarching) {
-            listRay(kPlainRays, index);
+            listRay(index | kIsPlain);
         }
     }
 }

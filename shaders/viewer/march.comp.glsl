@@ -1,59 +1,15 @@
-// Rays through the domain, a slice of their steps: straight flights where nothing bends them, else steps, up to one in which
-// something happens. That one is left to viewer/event.comp.glsl.
-//
-// A vector of rays pays for every line between two turns of a loop, whether or not one of its rays takes that branch, and for
-// one turn of every loop. So there is little here but what most steps need, and loops end with the last turn that one needs.
-#include "viewer/steps.glsl"
-
-bool isPlain(RayState ray, uint left) {
-    return left > 0u && ray.status == kMarching && !looksAhead(ray);
-}
-
-// Steps until something happens in one, which is not taken then: true. Or the ray may fly, or has come to the slice's end.
-bool stepAlong(inout RayState ray, inout uint left) {
-    bool eventful = false;
-    uint most = min(left, (evaluationsLeft(ray) + kEvaluationsPerStep - 1u) / kEvaluationsPerStep);
-    uint taken = 0u;
-    if (isPlain(ray, most)) {
-        float perW = 1.0 / length(ray.w);
-        do {
-            float ds = usualStepAt(ray.x);
-            RayStep onward = stepRay(Ray(ray.x, ray.w), perW, ds);
-            Step next = stepOf(ray, onward, ds);
-            if (isEventful(ray, next)) {
-                eventful = true;
-                break;
-            }
-            taken += 1u;
-            perW = onward.perW;
-            move(ray, next);
-            followBoundary(ray, next.nBefore, next.inBand, next.middle, next.w, next.optics);
-            passStep(ray, next);
-            endFaintRay(ray);
-        } while (isPlain(ray, most - taken));
-    }
-    left -= taken;
-    ray.evaluations += (taken + uint(eventful)) * kEvaluationsPerStep;
-    endRay(ray);
-    return eventful;
-}
+// The first slice of rays through the domain: a stretch of each, up to a step in which something happens.
+#include "viewer/stretch.glsl"
 
 void main() {
-    if (!isListed(kPlainRays)) {
+    if (!isListed()) {
         return;
     }
-    rayIndex = listedRay(kPlainRays);
+    rayIndex = listedEntry() & ~kIsPlain;
     RayState ray = loadRay(rayIndex);
     loadSteepest();
     stopInsideOpaque(ray);
     uint left = view.stepsPerSlice;
-    bool eventful = false;
-    do {
-        flyAhead(ray, left);
-        eventful = stepAlong(ray, left);
-    } while (!eventful && left > 0u && ray.status == kMarching);
-    storeRay(ray);
-    if (ray.status == kMarching) {
-        listRay(kEventfulRays, eventful ? rayIndex : rayIndex | kSliceEnded);
-    }
+    bool eventful = followStretch(ray, left);
+    passOn(ray, eventful);
 }

@@ -1,27 +1,33 @@
-// Lists of rays under way: a dispatch takes the rays of one list, so that its vectors hold none that have nothing to do.
+// Lists of rays under way: a dispatch takes those of one list, so that its vectors hold none that have nothing to do, and fills the
+// other with those that are to go on.
 #include "shared/view_blocks.h"
 
-layout(std430, binding = kStorageRayLists) buffer RayLists {
-    RayListHead heads[kRayLists];
-    uint listed[];
+layout(std430, binding = kStorageTakenRays) readonly buffer TakenRays {
+    RayListHead takenHead;
+    uint takenRays[];
+};
+layout(std430, binding = kStorageFilledRays) buffer FilledRays {
+    RayListHead filledHead;
+    uint filledRays[];
 };
 
-// Set in an entry of kEventfulRays: nothing happens to the ray, whose slice has ended. It goes on in the next one.
-const uint kSliceEnded = 0x80000000u;
+// Set in an entry: nothing happens to the ray in its next step that is known yet. Without it that step has been looked at, and
+// needs care.
+const uint kIsPlain = 0x80000000u;
 
-void listRay(uint list, uint index) {
-    uint place = atomicAdd(heads[list].count, 1u);
-    listed[kRayLists * place + list] = index;
+void listRay(uint entry) {
+    uint place = atomicAdd(filledHead.count, 1u);
+    filledRays[place] = entry;
     if (place % uint(kRaysPerGroup) == 0u) {
-        atomicAdd(heads[list].groups[0], 1u);
+        atomicAdd(filledHead.groups[0], 1u);
     }
 }
 
 // Whether there is a ray on the list for this invocation, and which.
-bool isListed(uint list) {
-    return gl_GlobalInvocationID.x < heads[list].count;
+bool isListed() {
+    return gl_GlobalInvocationID.x < takenHead.count;
 }
 
-uint listedRay(uint list) {
-    return listed[kRayLists * gl_GlobalInvocationID.x + list];
+uint listedEntry() {
+    return takenRays[gl_GlobalInvocationID.x];
 }

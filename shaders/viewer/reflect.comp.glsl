@@ -55,7 +55,7 @@ void nextRound(uint index) {
     }
     storeWholeRay(index, rayFrom(reflections[index].list[waiting - 1u], directRays[index].dispersed));
     reflections[index].waiting = waiting - 1u;
-    listRay(kPlainRays, index);
+    listRay(index | kIsPlain);
 }
 
 void main() {

@@ -90,10 +90,13 @@ TEST(BlockLayout, OfTheMarchIsTheCompilers) {
 
 TEST(BlockLayout, OfTheRayListsIsTheCompilers) {
     const gpu::Kernel march(test::sharedContext(), "viewer/march.comp.glsl", {"SAMPLES_PER_HALF 0"});
-    const test::Members expected{{"heads[0].groups[0]", offsetof(gpu::RayListHead, groups)},
-                                 {"heads[0].count", offsetof(gpu::RayListHead, count)},
-                                 {"listed[0]", gpu::kRayLists * sizeof(gpu::RayListHead)}};
-    EXPECT_EQ(test::storageBlockLayout(march, "RayLists").members, expected);
+    const auto expected = [](const std::string& list) {
+        return test::Members{{list + "Head.groups[0]", offsetof(gpu::RayListHead, groups)},
+                             {list + "Head.count", offsetof(gpu::RayListHead, count)},
+                             {list + "Rays[0]", sizeof(gpu::RayListHead)}};
+    };
+    EXPECT_EQ(test::storageBlockLayout(march, "TakenRays").members, expected("taken"));
+    EXPECT_EQ(test::storageBlockLayout(march, "FilledRays").members, expected("filled"));
 }
 
 TEST(BlockLayout, OfInsetsIsTheCompilers) {

@@ -44,7 +44,7 @@ std::vector<KernelVariant> variants() {
         rows.push_back({kernel, {"EFFECT_REFRACTION", "EFFECT_DISPERSION"}});
     }
     for (const auto& subset : subsets) {
-        for (const char* kernel : {"viewer/march.comp.glsl", "viewer/event.comp.glsl"}) {
+        for (const char* kernel : {"viewer/march.comp.glsl", "viewer/march_on.comp.glsl"}) {
             rows.push_back(test::variant(kernel, subset, {"SAMPLES_PER_HALF 0"}));
             rows.push_back(test::variant(kernel, subset, {"SAMPLES_PER_HALF 2"}));
         }
@@ -57,7 +57,7 @@ std::vector<KernelVariant> variants() {
     }
     for (const char* integrator : {"INTEGRATOR_EULER", "INTEGRATOR_RK4", "INTEGRATOR_SHARMA"}) {
         rows.push_back(test::variant("viewer/march.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));
-        rows.push_back(test::variant("viewer/event.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));
+        rows.push_back(test::variant("viewer/march_on.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));
         rows.push_back(test::variant("viewer/march.comp.glsl", {"EFFECT_REFRACTION", "CUBIC_INTERPOLATION"},
                                      {integrator, "SAMPLES_PER_HALF 0"}));
     }

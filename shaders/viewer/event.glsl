@@ -65,26 +65,11 @@ Step carefulStep(inout RayState ray) {
 
 #endif
 
-void main() {
-    if (!isListed(kEventfulRays)) {
-        return;
-    }
-    uint entry = listedRay(kEventfulRays);
-    rayIndex = entry & ~kSliceEnded;
-    if (entry != rayIndex) {
-        listRay(kPlainRays, rayIndex);
-        return;
-    }
-    RayState ray = loadRay(rayIndex);
-    loadSteepest();
+void takeEventfulStep(inout RayState ray) {
     Step taken = carefulStep(ray);
     move(ray, taken);
     endBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
     cutAtOpaque(ray, taken);
     passStep(ray, taken);
     endRay(ray);
-    storeRay(ray);
-    if (ray.status == kMarching) {
-        listRay(kPlainRays, rayIndex);
-    }
 }
