@@ -65,6 +65,14 @@ TEST_F(WindowTest, AClickInThePanelSwitchesAnEffect) {
     EXPECT_EQ(saved.find("\"refraction\""), std::string::npos);
 }
 
+TEST_F(WindowTest, ASectionWithTheNameOfAnEffectOpens) {
+    // The section "environment", and in it the number behind "rotate".
+    expectGood("0 size 700 760\n2 wait\n2 cursor 500 553\n3 button left down\n4 button left up\n6 cursor 570 599\n"
+               "7 button left down\n8 cursor 590 599\n9 cursor 610 599\n10 button left up\n12 wait\n12 key f2 down\n13 quit\n");
+    const std::string saved = readText(folder.file("scene_0001.toml"));
+    EXPECT_NE(saved.find("[environment]\nrotate = "), std::string::npos) << saved;
+}
+
 TEST_F(WindowTest, ADraggedLightIsFollowed) {
     // The beam comes along x: its handle is left of the middle, at 0.45 of the domain's diagonal.
     expectGood("0 key tab down\n0 key tab up\n0 wait\n0 screenshot before.png\n1 set light.0.direction=[0, 0, -1]\n1 wait\n"

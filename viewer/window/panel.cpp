@@ -54,7 +54,9 @@ void effectRow(const PanelState& state, const EffectDecision& decision, PanelAns
 
 void effects(const PanelState& state, PanelAnswer& answer) {
     if (!ImGui::CollapsingHeader("effects", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    ImGui::PushID("effects");  // a section may have the name of an effect
     for (const EffectDecision& decision : state.effects.decisions) effectRow(state, decision, answer);
+    ImGui::PopID();
 }
 
 void sliceControls(const PanelState& state, viewer::LookSettings& look) {
