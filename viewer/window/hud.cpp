@@ -1,12 +1,12 @@
 #include "viewer/window/hud.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include "viewer/window/bindings.h"
-#include "viewer/window/light_handle.h"
 #include "viewer/window/orbit.h"
 #include "viewer/window/panel.h"
 
@@ -19,11 +19,19 @@ constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindo
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs;
 constexpr float kHudWidth = 290.0f;  // pixels
 constexpr double kMebibyte = 1024.0 * 1024.0;
+constexpr double kHandleMargin = 20.0;  // pixels between a handle's middle and a panel
 
 void line(const char* label, const std::string& value) {
     ImGui::TextDisabled("%s", label);
     ImGui::SameLine(95.0f);
     ImGui::TextUnformatted(value.c_str());
+}
+
+/// Three of them fit a row, whatever they are.
+std::string shortText(double value) {
+    const double size = std::abs(value);
+    const bool wantsExponent = size != 0.0 && (size < 1e-3 || size >= 1e3);
+    return wantsExponent ? fmt::format("{:.1e}", value) : fmt::format("{:.3g}", value);
 }
 
 /// Always the same rows, so that nothing below them moves.
@@ -32,8 +40,9 @@ void drawProbe(const std::optional<gpu::FilmPixel>& probe) {
     ImGui::TextDisabled("under the pointer");
     const gpu::FilmPixel pixel = probe.value_or(gpu::FilmPixel{});
     const auto row = [&](const char* label, const std::string& value) { line(label, probe ? value : "-"); };
-    row("radiance", fmt::format("{:.3g}  {:.3g}  {:.3g}", pixel.radiance.x, pixel.radiance.y, pixel.radiance.z));
-    row("depth", fmt::format("{:.3g}  {:.3g}  {:.3g}", pixel.depth.x, pixel.depth.y, pixel.depth.z));
+    const auto colour = [](const glm::vec3& c) { return shortText(c.x) + "  " + shortText(c.y) + "  " + shortText(c.z); };
+    row("radiance", colour(pixel.radiance));
+    row("depth", colour(pixel.depth));
     const glm::vec3& exit = pixel.exitDirection;
     row("goes to", fmt::format("{:.2f}  {:.2f}  {:.2f}", exit.x, exit.y, exit.z));
     row("steps", fmt::format("{:.0f}", pixel.steps));
@@ -41,7 +50,7 @@ void drawProbe(const std::optional<gpu::FilmPixel>& probe) {
 
 } // namespace
 
-void drawHud(const HudState& state) {
+glm::dvec2 drawHud(const HudState& state) {
     ImGui::SetNextWindowPos(ImVec2(10.0f, 10.0f));
     ImGui::SetNextWindowBgAlpha(0.8f);
     ImGui::SetNextWindowSizeConstraints(ImVec2(kHudWidth, 0.0f), ImVec2(kHudWidth, 1e4f));
@@ -57,19 +66,30 @@ void drawHud(const HudState& state) {
     line("memory", fmt::format("{:.0f} MiB", double(state.memoryBytes) / kMebibyte));
     drawProbe(state.probe);
     ImGui::TextDisabled("H: keys");
+    const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     ImGui::End();
+    return {corner.x + size.x, corner.y + size.y};
 }
 
-void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera, std::optional<std::size_t> highlighted) {
-    // Over the numbers, which take no clicks, and under the panel, which does.
+HandleRoom roomBesidePanels(const glm::ivec2& pixels, const glm::dvec2& numbersCorner) {
+    const glm::dvec2 screen(pixels);
+    HandleRoom room{.aspect = screen.x / screen.y};
+    room.numbers = (numbersCorner + kHandleMargin) / screen;
+    room.highest.x = std::max(room.lowest.x, (screen.x - kPanelWidth - kPanelGap - kHandleMargin) / screen.x);
+    return room;
+}
+
+void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera, const HandleRoom& room,
+                 std::optional<std::size_t> highlighted) {
+    // Over the picture, and under the panel, which takes clicks.
     ImDrawList* canvas = ImGui::GetForegroundDrawList();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    canvas->PushClipRect(ImVec2(0.0f, 0.0f), ImVec2(screen.x - kPanelWidth - 10.0f, screen.y));
-    const double aspect = double(screen.x) / double(screen.y);
+    const float panelLeft = screen.x - kPanelWidth - kPanelGap;
+    canvas->PushClipRect(ImVec2(0.0f, 0.0f), ImVec2(panelLeft, screen.y));
     const auto pixel = [&](const glm::dvec2& at) { return ImVec2(float(at.x) * screen.x, float(at.y) * screen.y); };
-    const Projected middle = projected(camera, 0.5 * (domain.min + domain.max()), aspect);
+    const Projected middle = projected(camera, 0.5 * (domain.min + domain.max()), room.aspect);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const auto handle = handleOnScreen(scene.lights[i], domain, camera, aspect);
+        const auto handle = handleOnScreen(scene.lights[i], domain, camera, room);
         if (!handle) continue;
         const bool bright = highlighted == i;
         const ImVec2 at = pixel(*handle);
@@ -81,7 +101,7 @@ void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera
         const std::string label = bright ? "drag: the light follows" : "drag me";
         const ImVec2 size = ImGui::CalcTextSize(label.c_str());
         const float right = at.x + radius + 6.0f;
-        const ImVec2 place(right + size.x > screen.x ? at.x - radius - 6.0f - size.x : right, at.y - 0.5f * size.y);
+        const ImVec2 place(right + size.x > panelLeft ? at.x - radius - 6.0f - size.x : right, at.y - 0.5f * size.y);
         const ImVec2 corner(place.x + size.x + 3.0f, place.y + size.y + 2.0f);
         canvas->AddRectFilled(ImVec2(place.x - 3.0f, place.y - 2.0f), corner, IM_COL32(0, 0, 0, 140), 3.0f);
         canvas->AddText(place, yellow, label.c_str());

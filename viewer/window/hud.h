@@ -9,6 +9,7 @@
 #include "common/lattice.h"
 #include "common/scene.h"
 #include "shaders/shared/view_blocks.h"
+#include "viewer/window/light_handle.h"
 
 namespace eikonal::window {
 
@@ -24,10 +25,15 @@ struct HudState {
     std::optional<gpu::FilmPixel> probe;  ///< of the pixel under the pointer
 };
 
-void drawHud(const HudState& state);
+/// Returns the lower right corner of the numbers [pixels].
+glm::dvec2 drawHud(const HudState& state);
 
-/// Handles of the lights, each with its name; `highlighted` under the pointer or in the hand.
-void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera, std::optional<std::size_t> highlighted);
+/// Between the numbers, which end at a corner [pixels], and the panel.
+HandleRoom roomBesidePanels(const glm::ivec2& pixels, const glm::dvec2& numbersCorner);
+
+/// Handles of the lights; `highlighted` under the pointer or in the hand.
+void drawHandles(const Scene& scene, const Lattice& domain, const Camera& camera, const HandleRoom& room,
+                 std::optional<std::size_t> highlighted);
 
 /// The table of bindings and gestures, in the middle of the screen.
 void drawKeyList();

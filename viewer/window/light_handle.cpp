@@ -12,7 +12,6 @@ namespace eikonal::window {
 namespace {
 
 constexpr double kSphereShare = 0.45;  // of the domain's diagonal: inside the picture that frames the domain
-constexpr double kEdge = 0.03;         // of the picture, that handles beyond it keep from its edge
 
 glm::dvec3 centerOf(const Lattice& domain) { return 0.5 * (domain.min + domain.max()); }
 
@@ -26,6 +25,19 @@ glm::dvec3 onSphere(const glm::dvec3& origin, const glm::dvec3& ray, const glm::
     const double away = glm::length(nearest - center);
     if (away >= radius) return center + (nearest - center) * (radius / away);
     return nearest - std::sqrt(radius * radius - away * away) * unit;
+}
+
+/// The nearest place beside them, where there is one.
+glm::dvec2 besideNumbers(glm::dvec2 at, const HandleRoom& room) {
+    const glm::dvec2 way = (room.numbers - at) * glm::dvec2(room.aspect, 1.0);
+    if (way.x <= 0.0 || way.y <= 0.0) return at;
+    const bool isRoomAtTheRight = room.numbers.x < room.highest.x, isRoomBelow = room.numbers.y < room.highest.y;
+    if (isRoomBelow && (way.y <= way.x || !isRoomAtTheRight)) {
+        at.y = room.numbers.y;
+    } else if (isRoomAtTheRight) {
+        at.x = room.numbers.x;
+    }
+    return at;
 }
 
 } // namespace
@@ -42,10 +54,10 @@ glm::dvec3 handlePosition(const Light& light, const Lattice& domain) {
         light);
 }
 
-std::optional<glm::dvec2> handleOnScreen(const Light& light, const Lattice& domain, const Camera& camera, double aspect) {
-    const Projected handle = projected(camera, handlePosition(light, domain), aspect);
+std::optional<glm::dvec2> handleOnScreen(const Light& light, const Lattice& domain, const Camera& camera, const HandleRoom& room) {
+    const Projected handle = projected(camera, handlePosition(light, domain), room.aspect);
     if (handle.depth <= 0.0) return std::nullopt;
-    return glm::clamp(handle.at, glm::dvec2(kEdge), glm::dvec2(1.0 - kEdge));
+    return besideNumbers(glm::clamp(handle.at, room.lowest, room.highest), room);
 }
 
 Light draggedTo(const Light& light, const Lattice& domain, const Camera& camera, const glm::dvec2& at, double aspect) {
@@ -67,12 +79,12 @@ Light draggedTo(const Light& light, const Lattice& domain, const Camera& camera,
 }
 
 std::optional<std::size_t> handleUnder(const Scene& scene, const Lattice& domain, const Camera& camera,
-                                       const glm::dvec2& at, double aspect, double reach) {
+                                       const glm::dvec2& at, const HandleRoom& room, double reach) {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const auto handle = handleOnScreen(scene.lights[i], domain, camera, aspect);
+        const auto handle = handleOnScreen(scene.lights[i], domain, camera, room);
         if (!handle) continue;
-        const double distance = glm::length((*handle - at) * glm::dvec2(aspect, 1.0));
+        const double distance = glm::length((*handle - at) * glm::dvec2(room.aspect, 1.0));
         if (distance < reach) {
             reach = distance;
             nearest = i;

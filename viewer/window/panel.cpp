@@ -182,8 +182,8 @@ void Panel::saving(PanelAnswer& answer) {
 PanelAnswer Panel::draw(const PanelState& state) {
     PanelAnswer answer{{}, state.look, state.overlays, {}};
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(screen.x - kPanelWidth - 10.0f, 10.0f));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(kPanelWidth, 0.0f), ImVec2(kPanelWidth, screen.y - 20.0f));
+    ImGui::SetNextWindowPos(ImVec2(screen.x - kPanelWidth - kPanelGap, kPanelGap));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(kPanelWidth, 0.0f), ImVec2(kPanelWidth, screen.y - 2.0f * kPanelGap));
     ImGui::Begin("scene", nullptr,
                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoCollapse);

@@ -54,6 +54,7 @@ struct PanelAnswer {
 };
 
 inline constexpr float kPanelWidth = 330.0f;  ///< pixels, at the right edge of the screen
+inline constexpr float kPanelGap = 10.0f;     ///< pixels between panels and the edges of the screen
 
 class Panel {
 public:

@@ -158,8 +158,12 @@ void Viewer::advanceTime() {
     startBake();
 }
 
+HandleRoom Viewer::handleRoom() const {
+    return panels_ ? roomBesidePanels(pixels_, numbersCorner_) : HandleRoom{.aspect = aspect()};
+}
+
 std::optional<std::size_t> Viewer::lightUnderPointer() const {
-    return handleUnder(scene(), domain(), scene().camera, placeOf(controls_.pointer()), aspect(),
+    return handleUnder(scene(), domain(), scene().camera, placeOf(controls_.pointer()), handleRoom(),
                        kHandleReachPixels / double(pixels_.y));
 }
 

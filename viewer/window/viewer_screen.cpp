@@ -44,11 +44,11 @@ void Viewer::drawOverlays() {
         drawFront((*fronts)[std::size_t(overlays_.frontTime * last + 0.5)], scene().camera);
     }
     const auto held = controls_.drag() == Controls::Drag::kLight ? controls_.light() : lightUnderPointer();
-    drawHandles(scene(), domain(), scene().camera, held);
+    drawHandles(scene(), domain(), scene().camera, handleRoom(), held);
 }
 
 void Viewer::drawPanels() {
-    drawHud(hudState());
+    numbersCorner_ = drawHud(hudState());
     const double pixels = double(pixels_.x) * double(pixels_.y);
     const auto cost = [&](Effect effect) -> std::optional<double> {
         const auto perRay = costs_.cost(document_.image().effects, effect);

@@ -106,6 +106,7 @@ private:
     const Scene& scene() const { return document_.scene(); }
     const Lattice& domain() const { return document_.domain(); }
     double aspect() const { return double(pixels_.x) / double(pixels_.y); }
+    HandleRoom handleRoom() const;
     std::optional<std::size_t> lightUnderPointer() const;
     /// Seconds that moves are made by: replayed ones do not depend on the clock.
     double tick() const { return script_ ? 1.0 / 30.0 : frameSeconds_; }
@@ -137,6 +138,7 @@ private:
     std::optional<double> pictureError_;    ///< shares
     std::optional<double> lightError_;
     glm::ivec2 pixels_{1};
+    glm::dvec2 numbersCorner_{0.0};         ///< lower right one, in the last frame that showed them [pixels]
     std::vector<Event> recorded_;
     std::vector<std::string> screenshots_;  ///< of this frame
     std::uint64_t frameNumber_ = 0;
