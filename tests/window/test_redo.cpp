@@ -58,6 +58,16 @@ TEST(Redo, AnObjectWithALatticeOfItsOwnMovesWithoutIt) {
     EXPECT_TRUE(redoFor(here, with({"object.0.resolution=40", "object.0.ior=1.4"})).fields);
 }
 
+TEST(Redo, WhatEffectsCostIsComparedInOneSceneOnly) {
+    const Scene here = with({});
+    for (const char* same : {"render.effects=[\"refraction\"]", "light.0.power=[1, 2, 3]", "render.exposure=1"}) {
+        EXPECT_TRUE(differInEffectsOnly(here, with({same}))) << same;
+    }
+    for (const char* other : {"object.0.ior=1.3", "camera.fov=50", "accuracy.step=2", "medium.scattering=0.5"}) {
+        EXPECT_FALSE(differInEffectsOnly(here, with({"render.effects=[]", other}))) << other;
+    }
+}
+
 TEST(Redo, ADocumentKeepsTheGridsOfWhatMoves) {
     const test::TemporaryFolder folder;
     Document document(folder.write("scene.toml", kScene), {"object.0.resolution=40", "domain.resolution=16"});
@@ -69,6 +79,11 @@ TEST(Redo, ADocumentKeepsTheGridsOfWhatMoves) {
     EXPECT_EQ(insetOf().worldFromLocal[3].x, 0.25);
     document.set("object.ball.ior=1.4");
     EXPECT_NE(insetOf().grids, before.grids);
+}
+
+TEST(Document, TellsMapsFromScenesByTheirNames) {
+    for (const char* map : {"sky.hdr", "Sky.EXR", "a/b.c.HDR"}) EXPECT_TRUE(isEnvironmentMap(map)) << map;
+    for (const char* other : {"sky.toml", "exr", "hdr.vdb"}) EXPECT_FALSE(isEnvironmentMap(other)) << other;
 }
 
 TEST(Panel, SwitchesOneEffectAndLeavesTheOthers) {

@@ -89,6 +89,11 @@ Scene sceneOf(const std::filesystem::path& file, const std::vector<std::string>&
 
 } // namespace
 
+bool isEnvironmentMap(const std::filesystem::path& file) {
+    const std::string extension = lowerExtension(file);
+    return extension == ".hdr" || extension == ".exr";
+}
+
 Document::Document(const std::filesystem::path& file, const std::vector<std::string>& overrides)
     : file_(file), overrides_(overrides), scene_(sceneOf(file, overrides)),
       stages_(composeStageFields(scene_)) {}

@@ -12,6 +12,9 @@
 
 namespace eikonal::window {
 
+/// By its name.
+bool isEnvironmentMap(const std::filesystem::path& file);
+
 class Document {
 public:
     /// A scene, a volume, or a mesh, which gets the surroundings of a bare volume and the index of glass. Throws badInput as

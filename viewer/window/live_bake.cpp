@@ -117,6 +117,7 @@ std::uint64_t LiveBake::start(BakeRequest request) {
         next_ = std::move(request);
         number = ++requests_;
         newer_ = true;
+        if (!working_) progress_ = 0.0;  // instead of the last one's
         working_ = true;
     }
     wake_.notify_one();

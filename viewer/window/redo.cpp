@@ -76,4 +76,10 @@ Redo redoFor(const Scene& before, const Scene& after) {
     return redo;
 }
 
+bool differInEffectsOnly(Scene before, const Scene& after) {
+    before.render.effects = after.render.effects;
+    const Redo redo = redoFor(before, after);
+    return !redo.image && !redo.insets && !redo.camera;
+}
+
 } // namespace eikonal::window

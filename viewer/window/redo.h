@@ -19,4 +19,7 @@ struct Redo {
 /// Compares the values that the two scenes would be written with.
 Redo redoFor(const Scene& before, const Scene& after);
 
+/// Whether viewing rays have the same to do in both, but for the effects that they are allowed.
+bool differInEffectsOnly(Scene before, const Scene& after);
+
 } // namespace eikonal::window

@@ -54,6 +54,7 @@ void Viewer::adopt(Document document, const Redo& redo, OldLight oldLight) {
     std::unique_ptr<Session> session = redo.image ? sessionFor(document, oldLight) : nullptr;
     if (session) session->advance(NewLight::kNone);  // kernels are compiled when they are first used
     pictureChanges();
+    if (redo.fields || !differInEffectsOnly(scene(), document.scene())) costs_.clear();
     document_ = std::move(document);
     if (oldLight == OldLight::kGoes) light_.reset();
     if (session) {

@@ -17,11 +17,6 @@ namespace {
 
 constexpr double kSecondsBetweenLooks = 0.5;  // at the files
 
-bool isEnvironmentMap(const std::string& file) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    return extension == ".hdr" || extension == ".exr";
-}
-
 /// The first of `stem`_0001, `stem`_0002, ... that none of the extensions has a file for.
 std::filesystem::path freeName(const std::filesystem::path& stem, std::initializer_list<const char*> extensions) {
     for (int number = 1;; ++number) {
