@@ -34,15 +34,21 @@ std::string shortText(double value) {
     return wantsExponent ? fmt::format("{:.1e}", value) : fmt::format("{:.3g}", value);
 }
 
-/// Always the same rows, so that nothing below them moves.
-void drawProbe(const std::optional<gpu::FilmPixel>& probe) {
+std::string shortTexts(const std::vector<float>& values) {
+    std::string text;
+    for (const float value : values) text += (text.empty() ? "" : "  ") + shortText(value);
+    return text.empty() ? "-" : text;
+}
+
+/// The same rows wherever the pointer is, so that nothing below them moves.
+void drawProbe(const std::optional<gpu::FilmPixel>& probe, const std::optional<SliceProbe>& slice) {
     ImGui::Separator();
     ImGui::TextDisabled("under the pointer");
+    if (slice) line(slice->label.data(), shortTexts(slice->values));
     const gpu::FilmPixel pixel = probe.value_or(gpu::FilmPixel{});
     const auto row = [&](const char* label, const std::string& value) { line(label, probe ? value : "-"); };
-    const auto colour = [](const glm::vec3& c) { return shortText(c.x) + "  " + shortText(c.y) + "  " + shortText(c.z); };
-    row("radiance", colour(pixel.radiance));
-    row("depth", colour(pixel.depth));
+    row("radiance", shortTexts({pixel.radiance.x, pixel.radiance.y, pixel.radiance.z}));
+    row("depth", shortTexts({pixel.depth.x, pixel.depth.y, pixel.depth.z}));
     const glm::vec3& exit = pixel.exitDirection;
     row("goes to", fmt::format("{:.2f}  {:.2f}  {:.2f}", exit.x, exit.y, exit.z));
     row("steps", fmt::format("{:.0f}", pixel.steps));
@@ -64,7 +70,7 @@ glm::dvec2 drawHud(const HudState& state) {
     line("light", state.bakeProgress ? fmt::format("{}, baking {:.0f} %", state.lightState, 100.0 * *state.bakeProgress)
                                      : state.lightState);
     line("memory", fmt::format("{:.0f} MiB", double(state.memoryBytes) / kMebibyte));
-    drawProbe(state.probe);
+    drawProbe(state.probe, state.slice);
     ImGui::TextDisabled("H: keys");
     const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     ImGui::End();

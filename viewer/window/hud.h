@@ -10,6 +10,7 @@
 #include "common/scene.h"
 #include "shaders/shared/view_blocks.h"
 #include "viewer/window/light_handle.h"
+#include "viewer/window/slice_probe.h"
 
 namespace eikonal::window {
 
@@ -23,6 +24,7 @@ struct HudState {
     std::string lightState;              ///< "none yet", "coarse", "refined", ...
     std::size_t memoryBytes = 0;
     std::optional<gpu::FilmPixel> probe;  ///< of the pixel under the pointer
+    std::optional<SliceProbe> slice;      ///< under the pointer, where one is looked at
 };
 
 /// Returns the lower right corner of the numbers [pixels].

@@ -7,6 +7,7 @@
 #include <imgui_stdlib.h>
 
 #include "viewer/window/false_color.h"
+#include "viewer/window/slice_probe.h"
 
 namespace eikonal::window {
 
@@ -126,9 +127,7 @@ void waysToLook(const PanelState& state, PanelAnswer& answer) {
         }
         ImGui::EndCombo();
     }
-    const bool slices = look.look == viewer::Look::kIndex || look.look == viewer::Look::kIrradiance ||
-                        look.look == viewer::Look::kDirection;
-    if (slices) sliceControls(state, look);
+    if (isSlice(look.look)) sliceControls(state, look);
     if (look.look != viewer::Look::kImage && look.look != viewer::Look::kDirection) {
         legend();
         double range[2] = {look.lowest, look.highest};

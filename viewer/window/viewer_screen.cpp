@@ -83,6 +83,9 @@ HudState Viewer::hudState() const {
     if (bake_.isBusy()) state.bakeProgress = bake_.progress();
     state.memoryBytes = memoryOf(session_->image()) + (light_ ? light_->statistics.memoryBytes : 0);
     if (!gui_.wantsMouse()) state.probe = session_->probe(placeOf(controls_.pointer()));
+    state.slice = probeSlice(look_, scene().camera, placeOf(controls_.pointer()), aspect(), *document_.light().fields,
+                             light_ ? &light_->light : nullptr);
+    if (state.slice && gui_.wantsMouse()) state.slice->values.clear();
     return state;
 }
 
