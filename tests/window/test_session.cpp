@@ -1,4 +1,5 @@
 // The picture while other light is on its way: what it is worth to work on.
+#include <chrono>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -38,6 +39,18 @@ TEST(Session, TakesOneSampleOfEveryPixelWhereLightIsComingLater) {
     EXPECT_EQ(session->samples(), 1);
     EXPECT_FALSE(session->isRefined());
     EXPECT_TRUE(session->hasWork(NewLight::kNone));
+}
+
+TEST(Session, WhatARayTakesIsTheMeanOverThePicture) {
+    const Fields fields = test::sphereFields(test::cube(16, 1.0), 0.7, 1.5, 0.2);
+    const Scene scene = test::plainScene(glm::dvec3(1.0), 4.0, 40.0, 32);
+    const auto session = sessionOf(scene, fields);
+    const auto start = std::chrono::steady_clock::now();
+    for (int frame = 0; frame < 100 && !session->isRefined(); ++frame) session->advance(NewLight::kNone);
+    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ASSERT_TRUE(session->isRefined());
+    EXPECT_GT(session->secondsPerRay(), 0.0);
+    EXPECT_LE(session->secondsPerRay() * 48.0 * 32.0, took) << "of all that was done, the part that was for fine rays";
 }
 
 } // namespace

@@ -92,6 +92,7 @@ void Session::repaint() {
 
 void Session::begin(const Detail& detail) {
     current_ = detail;
+    measured_ = {};
     if (detail.fine) {
         image_.setStep(fineStep_);
     } else {
@@ -109,6 +110,8 @@ bool Session::followRays(double seconds) {
         glFinish();  // what rays cost is known when they are done
         const double now = secondsSince(start);
         governor_.measured(rays, current_.fine, now - used);
+        measured_.rays += rays;
+        measured_.seconds += now - used;
         used = now;
     }
     return image_.rounds() > before;
@@ -149,6 +152,11 @@ std::optional<gpu::FilmPixel> Session::probe(const glm::dvec2& at) const {
     const glm::ivec2 size = image_.region().size;
     const glm::ivec2 pixel = glm::clamp(glm::ivec2(at * glm::dvec2(size)), glm::ivec2(0), size - 1);
     return image_.filmPixel(std::size_t(pixel.y) * std::size_t(size.x) + std::size_t(pixel.x));
+}
+
+double Session::secondsPerRay() const {
+    const bool isKnown = current_.fine && measured_.rays > 0;
+    return isKnown ? measured_.seconds / double(measured_.rays) : governor_.secondsPerRay(true);
 }
 
 double Session::stepsPerRay() const {

@@ -46,8 +46,8 @@ public:
     ProgressiveImage& image() { return image_; }
     const ProgressiveImage& image() const { return image_; }
     const std::vector<std::pair<std::string, double>>& passSeconds() const { return timer_.seconds(); }
-    /// Seconds of a ray with the scene's own step, as last measured.
-    double secondsPerRay() const { return governor_.secondsPerRay(true); }
+    /// Seconds of a ray with the scene's own step: the mean over the picture so far, or as last measured where there is none.
+    double secondsPerRay() const;
     /// Rays that a frame is enough for.
     std::size_t raysInAFrame() const { return governor_.raysWithin(governor_.frameSeconds(), true); }
     int samplesWanted() const { return samples_; }
@@ -65,6 +65,10 @@ private:
     gpu::PassTimer timer_;
     ProgressiveImage image_;
     Governor governor_;
+    struct {
+        std::size_t rays = 0;
+        double seconds = 0.0;
+    } measured_;  ///< of the picture that is being made
     double fineStep_;
     int samples_;
     glm::ivec2 fullSize_{1};
