@@ -73,6 +73,11 @@ TEST_F(WindowTest, ASectionWithTheNameOfAnEffectOpens) {
     EXPECT_NE(saved.find("[environment]\nrotate = "), std::string::npos) << saved;
 }
 
+TEST_F(WindowTest, KeysAreKeysAfterThePanelsCameBack) {
+    expectGood("0 size 700 500\n2 key tab down\n2 key tab up\n4 key tab down\n20 key tab up\n22 key f2 down\n23 quit\n");
+    EXPECT_TRUE(std::filesystem::exists(folder.file("scene_0001.toml"))) << "not the text of a number that Tab went to";
+}
+
 TEST_F(WindowTest, ADraggedLightIsFollowed) {
     // The beam comes along x: its handle is left of the middle, at 0.45 of the domain's diagonal.
     expectGood("0 key tab down\n0 key tab up\n0 wait\n0 screenshot before.png\n1 set light.0.direction=[0, 0, -1]\n1 wait\n"
