@@ -80,6 +80,11 @@ TEST_F(WindowPictures, WaysToLook) {
     }
 }
 
+TEST_F(WindowPictures, IrradianceThatIsLookedAtBeforeThereIsAny) {
+    const std::string early = "0 key tab down\n0 key tab up\n" + presses("v", 3) + "2 cursor 159 119\n";
+    expectBaseline("look_irradiance", early + "3 button right down\n3 button right up\n");
+}
+
 TEST_F(WindowPictures, RaysOverThePicture) {
     expectBaseline("rays", "0 size 800 420\n" + presses("l", 1) + "3 cursor 340 400\n", {310, 420});
 }

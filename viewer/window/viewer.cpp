@@ -18,7 +18,7 @@ Viewer::Viewer(const ViewOptions& options)
     look_.slicePosition = middleOf(domain(), look_.sliceAxis);
     session_ = sessionFor(document_, OldLight::kStays);
     watchFiles();
-    startBake();
+    oldestRequest_ = startBake();
     say("Drag the lamp to move the light, drag elsewhere to turn the view. H lists the keys.", false);
 }
 

@@ -3,6 +3,7 @@
 
 #include "common/error.h"
 #include "viewer/window/light_handle.h"
+#include "viewer/window/look_range.h"
 #include "viewer/window/viewer_state.h"
 
 namespace eikonal::window {
@@ -85,8 +86,13 @@ void Viewer::takeLight() {
             roughLight_ = std::move(*light);
         } else {
             dropEstimate();
+            const bool isOfTheOpening = !light_ || light->request == oldestRequest_;
             light_ = std::move(*light);
             session_->setLight(light_->light);
+            if (isOfTheOpening && look_.look == viewer::Look::kIrradiance) {  // looked at before there was a range to show
+                look_ = withRange(look_, *document_.image().fields, &light_->light);
+                session_->setLook(look_);
+            }
         }
     }
     if (const auto error = bake_.takeError()) say(*error, true);
