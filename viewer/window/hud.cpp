@@ -20,6 +20,7 @@ constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindo
 constexpr float kHudWidth = 290.0f;  // pixels
 constexpr double kMebibyte = 1024.0 * 1024.0;
 constexpr double kHandleMargin = 20.0;  // pixels between a handle's middle and a panel
+constexpr double kMessageHeight = 32.0; // pixels, of a line of text
 
 void line(const char* label, const std::string& value) {
     ImGui::TextDisabled("%s", label);
@@ -81,7 +82,9 @@ HandleRoom roomBesidePanels(const glm::ivec2& pixels, const glm::dvec2& numbersC
     const glm::dvec2 screen(pixels);
     HandleRoom room{.aspect = screen.x / screen.y};
     room.numbers = (numbersCorner + kHandleMargin) / screen;
-    room.highest.x = std::max(room.lowest.x, (screen.x - kPanelWidth - kPanelGap - kHandleMargin) / screen.x);
+    // The message's place is left free without one too, or a press that takes it away would move the handle from the pointer.
+    const glm::dvec2 corner = screen - glm::dvec2(kPanelWidth, kMessageHeight) - double(kPanelGap) - kHandleMargin;
+    room.highest = glm::max(room.lowest, corner / screen);
     return room;
 }
 

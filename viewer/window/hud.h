@@ -30,7 +30,7 @@ struct HudState {
 /// Returns the lower right corner of the numbers [pixels].
 glm::dvec2 drawHud(const HudState& state);
 
-/// Between the numbers, which end at a corner [pixels], and the panel.
+/// Between the numbers, which end at a corner [pixels], the panel, and a message of one line.
 HandleRoom roomBesidePanels(const glm::ivec2& pixels, const glm::dvec2& numbersCorner);
 
 /// Handles of the lights; `highlighted` under the pointer or in the hand.

@@ -19,7 +19,8 @@ Viewer::Viewer(const ViewOptions& options)
     session_ = sessionFor(document_, OldLight::kStays);
     watchFiles();
     oldestRequest_ = startBake();
-    say("Drag the lamp to move the light, drag elsewhere to turn the view. H lists the keys.", false);
+    const bool hasLamps = !scene().lights.empty();
+    say(std::string(hasLamps ? "Drag the lamp to move the light, drag elsewhere" : "Drag") + " to turn the view. H lists the keys.", false);
 }
 
 bool Viewer::frame() {
