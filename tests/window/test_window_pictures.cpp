@@ -48,9 +48,11 @@ std::string presses(const char* key, int times) {
     return script;
 }
 
-TEST_F(WindowPictures, Orbited) {
-    expectBaseline("orbited", kStart + "2 cursor 80 60\n3 button left down\n4 cursor 110 90\n5 button left up\n");
-}
+const std::string kOrbit = "2 cursor 80 60\n3 button left down\n4 cursor 110 90\n5 button left up\n";
+
+TEST_F(WindowPictures, Orbited) { expectBaseline("orbited", kStart + kOrbit); }
+
+TEST_F(WindowPictures, MinimisedAndRestored) { expectBaseline("orbited", kStart + kOrbit + "6 minimise\n9 restore\n"); }
 
 TEST_F(WindowPictures, LightDragged) {
     // The beam comes along x: its lamp waits at the picture's left edge.

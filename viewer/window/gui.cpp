@@ -78,7 +78,7 @@ void Gui::feed(const Event& event) {
         case EventKind::kScroll: io.MouseWheel += float(event.at.x); break;
         case EventKind::kButton:
         case EventKind::kKey:
-            // Tab goes from one value to the next while one is typed only: it hides the panels else, and they would begin to type.
+            // Only while a value is typed Tab goes on to the next: else it shows panels, which would begin to type.
             if (event.down && event.name == "tab" && !wantsKeyboard()) break;
             if (event.down) pressed_.push_back(event.name);
             if (!event.down && std::find(pressed_.begin(), pressed_.end(), event.name) != pressed_.end()) {

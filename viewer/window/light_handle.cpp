@@ -54,7 +54,8 @@ glm::dvec3 handlePosition(const Light& light, const Lattice& domain) {
         light);
 }
 
-std::optional<glm::dvec2> handleOnScreen(const Light& light, const Lattice& domain, const Camera& camera, const HandleRoom& room) {
+std::optional<glm::dvec2> handleOnScreen(const Light& light, const Lattice& domain, const Camera& camera,
+                                         const HandleRoom& room) {
     const Projected handle = projected(camera, handlePosition(light, domain), room.aspect);
     if (handle.depth <= 0.0) return std::nullopt;
     return besideNumbers(glm::clamp(handle.at, room.lowest, room.highest), room);

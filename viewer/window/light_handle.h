@@ -20,7 +20,8 @@ struct HandleRoom {
 
 /// Where the handle is drawn, (0, 0) to (1, 1) over the picture; at the edge of the room for one beyond. None for one behind the
 /// camera.
-std::optional<glm::dvec2> handleOnScreen(const Light& light, const Lattice& domain, const Camera& camera, const HandleRoom& room);
+std::optional<glm::dvec2> handleOnScreen(const Light& light, const Lattice& domain, const Camera& camera,
+                                         const HandleRoom& room);
 
 /// The light with its handle under the pointer. A position moves at its distance from the camera; a beam's handle stays on
 /// its sphere, on the half that faces the camera and, beyond its outline, on the outline. It stands still in time then.

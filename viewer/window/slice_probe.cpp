@@ -7,13 +7,14 @@ namespace eikonal::window {
 namespace {
 
 /// Where a straight look meets the slice; none beside the domain.
-std::optional<glm::dvec3> pointOnSlice(const viewer::LookSettings& look, const Camera& camera, const glm::dvec2& at, double aspect,
-                                       const Lattice& domain) {
+std::optional<glm::dvec3> pointOnSlice(const viewer::LookSettings& look, const Camera& camera, const glm::dvec2& at,
+                                       double aspect, const Lattice& domain) {
     const glm::dvec3 ray = rayThrough(camera, at, aspect);
     const double along = (look.slicePosition - camera.position[look.sliceAxis]) / ray[look.sliceAxis];
     const glm::dvec3 point = camera.position + along * ray;
-    const bool isInside = glm::all(glm::greaterThanEqual(point, domain.min)) && glm::all(glm::lessThanEqual(point, domain.max()));
-    return along > 0.0 && isInside ? std::optional(point) : std::nullopt;
+    const bool isAbove = glm::all(glm::greaterThanEqual(point, domain.min));
+    const bool isBelow = glm::all(glm::lessThanEqual(point, domain.max()));
+    return along > 0.0 && isAbove && isBelow ? std::optional(point) : std::nullopt;
 }
 
 template <class Value>
@@ -29,8 +30,8 @@ bool isSlice(viewer::Look look) {
     return look == viewer::Look::kIndex || look == viewer::Look::kIrradiance || look == viewer::Look::kDirection;
 }
 
-std::optional<SliceProbe> probeSlice(const viewer::LookSettings& look, const Camera& camera, const glm::dvec2& at, double aspect,
-                                     const Fields& fields, const BakedLight* light) {
+std::optional<SliceProbe> probeSlice(const viewer::LookSettings& look, const Camera& camera, const glm::dvec2& at,
+                                     double aspect, const Fields& fields, const BakedLight* light) {
     if (!isSlice(look.look)) return std::nullopt;
     const auto point = pointOnSlice(look, camera, at, aspect, fields.lattice);
     if (look.look == viewer::Look::kIndex) {

@@ -20,7 +20,7 @@ struct SliceProbe {
 
 /// `at`: (0, 0) to (1, 1) over the picture. `fields`: as light sees them. `light` is null where none has been baked. None where no
 /// slice is looked at.
-std::optional<SliceProbe> probeSlice(const viewer::LookSettings& look, const Camera& camera, const glm::dvec2& at, double aspect,
-                                     const Fields& fields, const BakedLight* light);
+std::optional<SliceProbe> probeSlice(const viewer::LookSettings& look, const Camera& camera, const glm::dvec2& at,
+                                     double aspect, const Fields& fields, const BakedLight* light);
 
 } // namespace eikonal::window

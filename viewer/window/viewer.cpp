@@ -20,7 +20,8 @@ Viewer::Viewer(const ViewOptions& options)
     watchFiles();
     oldestRequest_ = startBake();
     const bool hasLamps = !scene().lights.empty();
-    say(std::string(hasLamps ? "Drag the lamp to move the light, drag elsewhere" : "Drag") + " to turn the view. H lists the keys.", false);
+    const std::string start = hasLamps ? "Drag the lamp to move the light, drag elsewhere" : "Drag";
+    say(start + " to turn the view. H lists the keys.", false);
 }
 
 bool Viewer::frame() {
