@@ -61,7 +61,7 @@ private:
     RayEnd toEnd();
     bool step();
     glm::dvec3 basicRadiance(RayEnd end) const;
-    void meetBoundary(const glm::dvec3& x, const glm::dvec3& w, const Optics& optics, bool inBand);
+    void meetBoundary(const f64::Ray& looked, const f64::Ray& start, const Optics& optics, bool inBand);
     bool isWorthFollowing(const f64::Polarised& reflected) const;
     Walk reflection(const f64::Polarised& reflected, double nEnd) const;
     void meetMatter(const glm::dvec3& x, const glm::dvec3& direction, double ds);
@@ -83,8 +83,8 @@ private:
     double step_, maxLength_;
     f64::Ray ray_{};
     f64::Crossing crossing_{};
-    f64::Ray steepest_{};                      // of that crossing
-    glm::dvec3 transmittanceAtSteepest_{1.0};
+    f64::Ray start_{}, steepest_{};            // of that crossing
+    glm::dvec3 transmittanceAtStart_{1.0}, transmittanceAtSteepest_{1.0};
     int generation_ = 0;
     f64::Polarised fresnel_{1.0, 1.0};
     glm::dvec3 transmittance_{1.0}, basic_{0.0}, depth_{0.0};  // basic: radiance over n² so far
@@ -105,11 +105,11 @@ bool Walk::enter(const glm::dvec3& origin, const glm::dvec3& direction) {
     return true;
 }
 
-/// A Fresnel term where a boundary ends, and what it mirrors.
-void Walk::meetBoundary(const glm::dvec3& x, const glm::dvec3& w, const Optics& optics, bool inBand) {
+/// A Fresnel term where a boundary ends, and what it mirrors. `looked`: at the step's evaluation; `start`: where the step began.
+void Walk::meetBoundary(const f64::Ray& looked, const f64::Ray& start, const Optics& optics, bool inBand) {
     if (f64::crossingEnds(crossing_, inBand, optics.gradN)) {
         const double nEnd = f64::crossingEndIndex(crossing_, inBand, optics.n);
-        const f64::Polarised t = f64::crossingTransmittance(crossing_, w, nEnd);
+        const f64::Polarised t = f64::crossingTransmittance(crossing_, looked.w, nEnd);
         const f64::Polarised reflected{fresnel_.s * (1.0 - t.s), fresnel_.p * (1.0 - t.p)};
         fresnel_ = {fresnel_.s * t.s, fresnel_.p * t.p};
         const double mean = 0.5 * (reflected.s + reflected.p);
@@ -118,13 +118,18 @@ void Walk::meetBoundary(const glm::dvec3& x, const glm::dvec3& w, const Optics& 
             basic_ += away.basicRadiance(away.toEnd());
         } else if (mean > 0.0) {
             basic_ +=
-                transmittance_ * mean * scene_.background(glm::normalize(f64::crossingReflected(crossing_, w)));
+                transmittance_ * mean * scene_.background(glm::normalize(f64::crossingReflected(crossing_, looked.w)));
         }
+        crossing_ = f64::crossingNone(crossing_.nLast);
     }
-    const f64::Crossing next = f64::crossingAfter(crossing_, inBand, w, optics.n, optics.gradN);
+    const f64::Crossing next = f64::crossingAfter(crossing_, inBand, looked.w, optics.n, optics.gradN);
     if (next.gradMax != crossing_.gradMax) {
-        steepest_ = {x, w};
+        steepest_ = looked;
         transmittanceAtSteepest_ = transmittance_;
+    }
+    if (next.gradMax > 0.0 && crossing_.gradMax == 0.0) {
+        start_ = start;
+        transmittanceAtStart_ = transmittance_;
     }
     crossing_ = next;
 }
@@ -134,17 +139,20 @@ bool Walk::isWorthFollowing(const f64::Polarised& reflected) const {
     return generation_ < options_.reflections && std::max({left.x, left.y, left.z}) >= options_.leastReflected;
 }
 
-/// The ray that a boundary reflects which has ended at index nEnd, on its mirror.
+/// The ray that a boundary reflects which has ended at index nEnd, before the boundary again.
 Walk Walk::reflection(const f64::Polarised& reflected, double nEnd) const {
     f64::MirrorIn mirror(field_);
     const f64::Ray met = mirror.rayAtIndex(steepest_, 0.5 * (crossing_.nStart + nEnd), step_);
-    const Optics there = field_.optics(met.x);
     Walk away(scene_, options_);
-    away.ray_ = mirror.rayMirrored(met, there.gradN);
+    away.ray_ = mirror.rayMirrored(start_, met.x, field_.optics(met.x).gradN);
+    away.ray_.x = glm::clamp(away.ray_.x, field_.lattice().min, field_.lattice().max());
+    const Optics there = field_.optics(away.ray_.x);
     away.n_ = there.n;
     away.crossing_ = f64::crossingFromMirror(away.ray_.w, there.n, there.gradN);
     away.fresnel_ = reflected;
-    away.transmittance_ = transmittanceAtSteepest_;
+    away.transmittance_ = transmittanceAtSteepest_ * transmittanceAtSteepest_ / transmittanceAtStart_;
+    away.start_ = away.ray_;
+    away.transmittanceAtStart_ = away.transmittance_;
     away.generation_ = generation_ + 1;
     return away;
 }
@@ -209,14 +217,15 @@ glm::dvec3 Walk::firstSolid(glm::dvec3 free, glm::dvec3 inside) const {
 
 /// Half a step straight on, the turn, half a step straight on; the last step ends at the face. False where the ray ends.
 bool Walk::step() {
-    const glm::dvec3 start = ray_.x;
+    const f64::Ray before = ray_;
+    const glm::dvec3 start = before.x;
     const double ds = std::min(step_, toFace());
     ray_ = f64::driftByLength(ray_, 0.5 * ds);
     glm::dvec3 middle = ray_.x;
     const Optics optics = field_.optics(middle);
-    const glm::dvec3 w = f64::kickByLength(ray_, optics.gradN, 0.5 * ds).w;
+    const f64::Ray looked = f64::kickByLength(ray_, optics.gradN, 0.5 * ds);
     ray_ = f64::kickByLength(ray_, optics.gradN, ds);
-    meetBoundary(middle, w, optics, field_.inBand(middle));
+    meetBoundary(looked, before, optics, field_.inBand(middle));
     n_ = optics.n;
     const double face = toFace();
     const bool leaves = face <= (ds < step_ ? ds : 0.5 * ds);
@@ -228,7 +237,7 @@ bool Walk::step() {
     } else if (hit) {
         ray_.x = firstSolid(middle, ray_.x);
     }
-    meetMatter(middle, glm::normalize(w), glm::length(middle - start) + glm::length(ray_.x - middle));
+    meetMatter(middle, glm::normalize(looked.w), glm::length(middle - start) + glm::length(ray_.x - middle));
     return !hit && !leaves;
 }
 

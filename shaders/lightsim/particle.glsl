@@ -54,7 +54,7 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     particle.gradMax = 0.0;
     particle.nStart = 1.0;
     particle.nLast = 1.0;
-    particle.wTangential = 0.0;
+    particle.along = 0.0;
     particle.sideAtStart = 0.0;
     particle.absorbedShare = vec3(0.0);
     particle.scatteredShare = vec3(0.0);
@@ -62,9 +62,9 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     particle.arcLength = 0.0;
     particle.litPart = 1.0;
     particle.tint = vec3(1.0);
-    particle.unusedA = 0.0;
+    particle.weight = 0.0;
     particle.tintedShare = vec3(0.0);
-    particle.unusedB = 0.0;
+    particle.unused = 0.0;
     return particle;
 }
 
@@ -141,7 +141,8 @@ Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN)
     crossing.gradMax = particle.gradMax;
     crossing.nStart = particle.nStart;
     crossing.nLast = particle.nLast;
-    crossing.wTangential = particle.wTangential;
+    crossing.weight = particle.weight;
+    crossing.along = particle.along;
     crossing.sideAtStart = particle.sideAtStart;
     bool inBand = inInterface(x);
     if (crossingEnds(crossing, inBand, gradN)) {
@@ -160,7 +161,8 @@ Particle crossInterfaces(Particle particle, vec3 x, vec3 w, float n, vec3 gradN)
     after.gradMax = crossing.gradMax;
     after.nStart = crossing.nStart;
     after.nLast = crossing.nLast;
-    after.wTangential = crossing.wTangential;
+    after.weight = crossing.weight;
+    after.along = crossing.along;
     after.sideAtStart = crossing.sideAtStart;
 #endif
     return after;

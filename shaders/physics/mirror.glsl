@@ -1,6 +1,7 @@
 // What a smoothed boundary mirrors (docs/physics.md, section 4). The mirror is the surface on which the index is the mean of
-// both sides': there it changes most. A ray turns round on it and goes out through the half of the boundary that it came in by,
-// bent as on its way in, so that the law of reflection holds beyond it.
+// both sides': there it changes most. Beyond the boundary the reflected ray is the image of the one that came, in the axis across
+// the mirror where that met it: exactly so where the boundary is alike all round this axis, as planes and spheres are. Its way
+// through the half of the boundary that the ray came by is not taken again, which at flat angles no step is short enough for.
 // Whoever includes this says what `Optics sampleOptics(real3 x)` is, as for physics/step_leapfrog.glsl.
 
 // Newton steps to the mirror from the steepest sample, at most half a step away: the first leaves 0.01 voxel, where the
@@ -19,23 +20,22 @@ Ray rayAtIndex(Ray near, real level, real longest) {
     return at;
 }
 
-// A ray on the mirror that leaves the boundary, on the side that it came from, with wave vector `away` beyond it.
-Ray rayLeaving(Ray ray, real3 away, real3 gradN) {
+// The image of a ray, which was at `start` before the boundary, that met the mirror at a place with grad n.
+Ray rayMirrored(Ray start, real3 onMirror, real3 gradN) {
     real3 normal = gradN / max(length(gradN), 1.0e-30);
-    real across = dot(away, normal);
-    real3 along = away - normal * across;
-    // From glass at a flat angle there is none: the flattest that there is.
-    real most = 0.999 * length(ray.w);
-    along = along * min(most / max(length(along), 1.0e-30), 1.0);
-    real rest = sqrt(dot(ray.w, ray.w) - dot(along, along));
-    Ray leaving = ray;
-    leaving.w = along + normal * (across >= 0.0 ? rest : -rest);
-    return leaving;
+    real3 back = start.x - onMirror;
+    real across = 2.0 * dot(back, normal), turned = 2.0 * dot(start.w, normal);
+    Ray image;
+    image.x = onMirror - back + normal * across;
+    image.w = start.w - normal * turned;
+    return image;
 }
 
-// The ray turned round on a surface across gradN.
-Ray rayMirrored(Ray ray, real3 gradN) {
-    Ray turned = ray;
-    turned.w = ray.w - gradN * (2.0 * dot(ray.w, gradN) / max(dot(gradN, gradN), 1.0e-30));
-    return turned;
+// The same of a ray that leaves in another direction, as from a facet: it sets out as far before the mirror.
+Ray rayLeaving(Ray start, real3 onMirror, real3 gradN, real3 away) {
+    real3 normal = gradN / max(length(gradN), 1.0e-30);
+    Ray leaving;
+    leaving.x = onMirror + normal * dot(start.x - onMirror, normal);
+    leaving.w = away;
+    return leaving;
 }

@@ -106,7 +106,7 @@ struct Particle {
     float gradMax;
     float nStart;
     float nLast;
-    float wTangential;
+    float along;
     float sideAtStart;
     vec3 absorbedShare;
     float arcLength;      // of the last step
@@ -115,9 +115,9 @@ struct Particle {
     vec3 reflectedShare;
     float litPart;        // of the last step: what lies in front of opaque matter
     vec3 tint;            // of the boundary that is being crossed, where it is steepest so far
-    float unusedA;
+    float weight;         // Crossing
     vec3 tintedShare;     // what tints have taken from what boundaries reflect
-    float unusedB;
+    float unused;
 };
 
 // A piece of a wavefront: corners in the order (u0, v0), (u1, v0), (u1, v1), (u0, v1) of its launch rectangle.

@@ -22,11 +22,11 @@ const int kMostWaiting = 8;
 
 // A ray that leaves a mirror.
 struct Reflection {
-    vec3 x;              // on the mirror [scene units]
+    vec3 x;              // before the boundary [scene units]
     float throughputS;   // as RayState's, times the mirror's reflectances
     vec3 w;              // wave vector away from it
     float throughputP;
-    vec3 transmittance;  // as RayState's where it met the mirror
+    vec3 transmittance;  // as RayState's when it sets out
     uint generation;     // RayState::generation
 };
 
@@ -36,14 +36,20 @@ struct PixelReflections {
     vec3 steepestW;   // wave vector there
     uint facets;      // of rough boundaries that the sample has met
     vec3 steepestTransmittance;
-    float pad;
+    float padA;
+    vec3 startX;      // where that boundary began
+    float padB;
+    vec3 startW;
+    float padC;
+    vec3 startTransmittance;
+    float padD;
     Reflection list[kMostWaiting];
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(Reflection) == 48 && offsetof(Reflection, w) == 16 && offsetof(Reflection, generation) == 44);
-static_assert(offsetof(PixelReflections, waiting) == 12 && offsetof(PixelReflections, list) == 48);
-static_assert(sizeof(PixelReflections) == 48 + 48 * kMostWaiting);
+static_assert(offsetof(PixelReflections, waiting) == 12 && offsetof(PixelReflections, list) == 96);
+static_assert(sizeof(PixelReflections) == 96 + 48 * kMostWaiting);
 
 } // namespace eikonal::gpu
 #endif

@@ -59,8 +59,8 @@ struct RayState {
     float throughputP;
     float crossingGradMax;
     float crossingStart;
-    float crossingWTangential;
-    float crossingSide;
+    float crossingWeight; // times Crossing::sideAtStart
+    float crossingAlong;
     float n;              // index at the last evaluation
     float nCamera;        // index where the ray starts
     float entryDistance;  // from the start to the domain [scene units]

@@ -6,8 +6,9 @@
 #if defined(EFFECT_REFLECTION) && defined(FOLLOW_REFLECTIONS)
 #include "viewer/reflection.glsl"
 #else
-void loadSteepest() {}
-void storeSteepest() {}
+void loadBoundary() {}
+void storeBoundary() {}
+void noteStart(vec3 x, vec3 w, RayState ray) {}
 void noteSteepest(vec3 x, vec3 w, RayState ray) {}
 
 BoundarySplit splitAt(Crossing crossing, vec3 w, float nEnd) {
@@ -26,8 +27,16 @@ bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised 
 #ifdef EFFECT_REFLECTION
 
 Crossing crossingOf(RayState ray, float nBefore) {
-    return Crossing(ray.crossingNormal, ray.crossingGradMax, ray.crossingStart, nBefore, ray.crossingWTangential,
-                    ray.crossingSide);
+    return Crossing(ray.crossingNormal, abs(ray.crossingWeight), ray.crossingAlong, ray.crossingGradMax, ray.crossingStart, nBefore,
+                    sign(ray.crossingWeight));
+}
+
+void setCrossing(inout RayState ray, Crossing crossing) {
+    ray.crossingNormal = crossing.normal;
+    ray.crossingWeight = crossing.sideAtStart * crossing.weight;
+    ray.crossingAlong = crossing.along;
+    ray.crossingGradMax = crossing.gradMax;
+    ray.crossingStart = crossing.nStart;
 }
 
 bool inBoundary(vec3 x) {
@@ -63,26 +72,26 @@ void reflectAndTransmit(inout RayState ray, Crossing crossing, vec3 w, float nEn
 #endif
 }
 
-// After a sample at x with wave vector w that ends no crossing; nBefore: index of the sample before.
-void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {
-    Crossing next = crossingAfter(crossingOf(ray, nBefore), inBand, w, optics.n, optics.gradN);
+// After a step whose sample ends no crossing.
+void followBoundary(inout RayState ray, Step taken) {
+    Crossing next = crossingAfter(crossingOf(ray, taken.nBefore), taken.inBand, taken.w, taken.optics.n, taken.optics.gradN);
     if (next.gradMax != ray.crossingGradMax) {
-        noteSteepest(x, w, ray);
+        noteSteepest(taken.middle, taken.w, ray);
     }
-    ray.crossingNormal = next.normal;
-    ray.crossingGradMax = next.gradMax;
-    ray.crossingStart = next.nStart;
-    ray.crossingWTangential = next.wTangential;
-    ray.crossingSide = next.sideAtStart;
+    if (next.gradMax > 0.0 && ray.crossingGradMax == 0.0) {
+        noteStart(taken.start, taken.wStart, ray);
+    }
+    setCrossing(ray, next);
 }
 
-// The same after any sample: light is split where it ends a crossing.
-void endBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {
-    Crossing crossing = crossingOf(ray, nBefore);
-    if (boundaryEnds(ray, inBand, optics)) {
-        reflectAndTransmit(ray, crossing, w, crossingEndIndex(crossing, inBand, optics.n));
+// The same after any step: light is split where its sample ends a crossing.
+void endBoundary(inout RayState ray, Step taken) {
+    Crossing crossing = crossingOf(ray, taken.nBefore);
+    if (crossingEnds(crossing, taken.inBand, taken.optics.gradN)) {
+        reflectAndTransmit(ray, crossing, taken.w, crossingEndIndex(crossing, taken.inBand, taken.optics.n));
+        setCrossing(ray, crossingNone(taken.nBefore));
     }
-    followBoundary(ray, nBefore, inBand, x, w, optics);
+    followBoundary(ray, taken);
 }
 
 #else
@@ -95,7 +104,7 @@ bool boundaryEnds(RayState ray, bool inBand, Optics optics) {
     return false;
 }
 
-void followBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {}
-void endBoundary(inout RayState ray, float nBefore, bool inBand, vec3 x, vec3 w, Optics optics) {}
+void followBoundary(inout RayState ray, Step taken) {}
+void endBoundary(inout RayState ray, Step taken) {}
 
 #endif

@@ -25,6 +25,7 @@ Step carefulStep(inout RayState ray) {
     taken.nBefore = ray.n;
     taken.nMean = ray.n;
     taken.w = ray.w;
+    taken.wStart = ray.w;
     taken.optics = Optics(ray.n, vec3(0.0));
     taken.inBand = true;
     taken.first = drift(ray, 0.5 * ds);
@@ -68,7 +69,7 @@ Step carefulStep(inout RayState ray) {
 void takeEventfulStep(inout RayState ray) {
     Step taken = carefulStep(ray);
     move(ray, taken);
-    endBoundary(ray, taken.nBefore, taken.inBand, taken.middle, taken.w, taken.optics);
+    endBoundary(ray, taken);
     cutAtOpaque(ray, taken);
     passStep(ray, taken);
     endRay(ray);

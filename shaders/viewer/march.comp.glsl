@@ -7,7 +7,7 @@ void main() {
     }
     rayIndex = listedEntry() & ~kIsPlain;
     RayState ray = loadRay(rayIndex);
-    loadSteepest();
+    loadBoundary();
     stopInsideOpaque(ray);
     uint left = view.stepsPerSlice;
     bool eventful = followStretch(ray, left);

@@ -12,7 +12,7 @@ void main() {
     uint entry = listedEntry();
     rayIndex = entry & ~kIsPlain;
     RayState ray = loadRay(rayIndex);
-    loadSteepest();
+    loadBoundary();
     bool eventful = entry == rayIndex;
     bool goesOn = takenHead.count <= kFewRays;
     uint left = view.stepsPerSlice;

@@ -22,7 +22,7 @@ RayRows rowsOf(RayState ray) {
     rows.row[3] = rowOf(ray.transmittance, ray.status);
     rows.row[4] = rowOf(ray.radiance, ray.throughputS);
     rows.row[5] = rowOf(ray.crossingNormal, ray.throughputP);
-    rows.row[6] = rowOf(vec3(ray.crossingGradMax, ray.crossingStart, ray.crossingWTangential), ray.crossingSide);
+    rows.row[6] = rowOf(vec3(ray.crossingGradMax, ray.crossingStart, ray.crossingWeight), ray.crossingAlong);
     rows.row[7] = rowOf(vec3(ray.n, ray.nCamera, ray.entryDistance), ray.lookUps);
     rows.row[8] = uvec4(floatBitsToUint(ray.lookAgainAt), ray.matterSamples, ray.dispersed, ray.generation);
     return rows;
@@ -48,8 +48,8 @@ RayState rayOf(RayRows rows) {
     ray.throughputP = uintBitsToFloat(rows.row[5].w);
     ray.crossingGradMax = uintBitsToFloat(rows.row[6].x);
     ray.crossingStart = uintBitsToFloat(rows.row[6].y);
-    ray.crossingWTangential = uintBitsToFloat(rows.row[6].z);
-    ray.crossingSide = uintBitsToFloat(rows.row[6].w);
+    ray.crossingWeight = uintBitsToFloat(rows.row[6].z);
+    ray.crossingAlong = uintBitsToFloat(rows.row[6].w);
     ray.n = uintBitsToFloat(rows.row[7].x);
     ray.nCamera = uintBitsToFloat(rows.row[7].y);
     ray.entryDistance = uintBitsToFloat(rows.row[7].z);

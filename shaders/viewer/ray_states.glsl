@@ -65,8 +65,8 @@ RayState newRay(vec3 x, vec3 w) {
     ray.throughputP = 1.0;
     ray.crossingGradMax = 0.0;
     ray.crossingStart = 1.0;
-    ray.crossingWTangential = 0.0;
-    ray.crossingSide = 0.0;
+    ray.crossingWeight = 0.0;
+    ray.crossingAlong = 0.0;
     ray.n = 1.0;
     ray.nCamera = 1.0;
     ray.entryDistance = 0.0;

@@ -21,7 +21,7 @@ void gather(uint index, RayState ended) {
     directRays[index].dispersed |= ended.dispersed;
 }
 
-// A ray that stands on its mirror. Its radiance stays basic until the pixel's ray is shaded: nCamera is 1.
+// A ray that comes back from its mirror. Its radiance stays basic until the pixel's ray is shaded: nCamera is 1.
 RayState rayFrom(Reflection from, uint dispersed) {
     Optics optics = sampleOptics(from.x);
     Crossing crossing = crossingFromMirror(from.w, optics.n, optics.gradN);
@@ -33,8 +33,8 @@ RayState rayFrom(Reflection from, uint dispersed) {
     ray.crossingNormal = crossing.normal;
     ray.crossingGradMax = crossing.gradMax;
     ray.crossingStart = crossing.nStart;
-    ray.crossingWTangential = crossing.wTangential;
-    ray.crossingSide = crossing.sideAtStart;
+    ray.crossingWeight = crossing.sideAtStart * crossing.weight;
+    ray.crossingAlong = crossing.along;
     ray.n = optics.n;
     ray.dispersed = dispersed;
     ray.generation = from.generation;
@@ -53,8 +53,12 @@ void nextRound(uint index) {
         reflections[index].facets = 0u;
         return;
     }
-    storeWholeRay(index, rayFrom(reflections[index].list[waiting - 1u], directRays[index].dispersed));
+    Reflection from = reflections[index].list[waiting - 1u];
+    storeWholeRay(index, rayFrom(from, directRays[index].dispersed));
     reflections[index].waiting = waiting - 1u;
+    reflections[index].startX = from.x;
+    reflections[index].startW = from.w;
+    reflections[index].startTransmittance = from.transmittance;
     listRay(index | kIsPlain);
 }
 

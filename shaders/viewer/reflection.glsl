@@ -6,16 +6,23 @@
 
 layout(std430, binding = kStorageReflections) buffer Reflections { PixelReflections reflections[]; };
 
-// The boundary under way where it is steepest so far.
+// The boundary under way: where it is steepest so far, and where it began.
 struct Steepest {
     Ray ray;
     vec3 transmittance;
 };
+struct Start {
+    Ray ray;
+    vec3 transmittance;
+};
 Steepest steepest;
+Start boundaryStart;
 
-void loadSteepest() {
+void loadBoundary() {
     steepest.ray = Ray(reflections[rayIndex].steepestX, reflections[rayIndex].steepestW);
     steepest.transmittance = reflections[rayIndex].steepestTransmittance;
+    boundaryStart.ray = Ray(reflections[rayIndex].startX, reflections[rayIndex].startW);
+    boundaryStart.transmittance = reflections[rayIndex].startTransmittance;
 }
 
 // Of a sample at x with wave vector w.
@@ -23,10 +30,18 @@ void noteSteepest(vec3 x, vec3 w, RayState ray) {
     steepest = Steepest(Ray(x, w), ray.transmittance);
 }
 
-void storeSteepest() {
+// Of a step that begins at x with wave vector w.
+void noteStart(vec3 x, vec3 w, RayState ray) {
+    boundaryStart = Start(Ray(x, w), ray.transmittance);
+}
+
+void storeBoundary() {
     reflections[rayIndex].steepestX = steepest.ray.x;
     reflections[rayIndex].steepestW = steepest.ray.w;
     reflections[rayIndex].steepestTransmittance = steepest.transmittance;
+    reflections[rayIndex].startX = boundaryStart.ray.x;
+    reflections[rayIndex].startW = boundaryStart.ray.w;
+    reflections[rayIndex].startTransmittance = boundaryStart.transmittance;
 }
 
 #ifdef EFFECT_ROUGHNESS
@@ -59,15 +74,20 @@ bool isWorthFollowing(RayState ray, Polarised throughput) {
     return ray.generation < view.mostGenerations && max(left.r, max(left.g, left.b)) >= view.leastReflected;
 }
 
-// The reflected ray on the mirror that `met` has reached.
+// The reflected ray of one that met the mirror in `met`.
 Ray rayFromMirror(Ray met, vec3 away) {
     vec3 gradN = sampleOptics(met.x).gradN;
 #ifdef EFFECT_ROUGHNESS
     if (surfaceAt(steepest.ray.x).a > 0.0) {
-        return rayLeaving(met, away, gradN);
+        return rayLeaving(boundaryStart.ray, met.x, gradN, away);
     }
 #endif
-    return rayMirrored(met, gradN);
+    return rayMirrored(boundaryStart.ray, met.x, gradN);
+}
+
+// What absorption leaves of a ray that has been to the mirror and back: as much again as on its way there.
+vec3 transmittanceOfReturn() {
+    return steepest.transmittance * steepest.transmittance / max(boundaryStart.transmittance, vec3(1.0e-30));
 }
 
 // Lets the reflection at a boundary that ends at index nEnd wait, if it is worth it and there is room. Whether it does.
@@ -79,8 +99,10 @@ bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised 
     Ray met = rayAtIndex(steepest.ray, 0.5 * (nStart + nEnd), usualStepAt(steepest.ray.x));
     Ray reflected = rayFromMirror(met, away);
     ray.evaluations += uint(2 * kMirrorCorrections + 1);
-    reflections[rayIndex].list[waiting] = Reflection(reflected.x, throughput.s, reflected.w, throughput.p,
-                                                     steepest.transmittance * tintOfMirror(), ray.generation + 1u);
+    // At flat angles the boundary may begin so far off that the image is beyond the domain, where nothing turns it any more.
+    vec3 inDomain = clamp(reflected.x, domain.min, domain.max);
+    reflections[rayIndex].list[waiting] = Reflection(inDomain, throughput.s, reflected.w, throughput.p,
+                                                     transmittanceOfReturn() * tintOfMirror(), ray.generation + 1u);
     reflections[rayIndex].waiting = waiting + 1u;
     return true;
 }

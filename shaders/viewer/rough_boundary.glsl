@@ -21,6 +21,7 @@ vec2 nextUniform() {
 
 BoundarySplit roughSplit(Crossing crossing, vec3 w, float nEnd, float roughness) {
     vec2 uniform01 = nextUniform();
-    return splitAtFacet(crossingIncident(crossing, w), -crossing.sideAtStart * crossing.normal, crossing.nStart, nEnd,
+    vec3 against = -crossing.sideAtStart * crossingNormal(crossing);
+    return splitAtFacet(crossingIncident(crossing, w), against, crossing.nStart, nEnd,
                         alphaOfRoughness(roughness), uniform01.x, uniform01.y);
 }

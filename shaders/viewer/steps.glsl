@@ -4,7 +4,6 @@
 #include "fields/fields.glsl"
 #include "viewer/integrator.glsl"
 #include "physics/box.glsl"
-#include "viewer/boundary_crossing.glsl"
 #include "viewer/matter.glsl"
 
 layout(local_size_x = kRaysPerGroup) in;
@@ -12,14 +11,16 @@ layout(local_size_x = kRaysPerGroup) in;
 // A step as two straight pieces, which meet near where the field is evaluated.
 struct Step {
     vec3 start, middle, end;
-    vec3 w;              // wave vector at the evaluation
-    vec3 wEnd;           // at the end
+    vec3 wStart, wEnd;   // wave vector
+    vec3 w;              // at the evaluation
     float first, second; // lengths of the pieces [scene units]
     float nBefore;       // index at the evaluation before
     float nMean;         // index over the step
     Optics optics;       // at the evaluation
     bool inBand;         // of a boundary
 };
+
+#include "viewer/boundary_crossing.glsl"
 
 void endFaintRay(inout RayState ray) {
 #if defined(MATTER) || defined(EFFECT_REFLECTION)
@@ -50,6 +51,7 @@ Step stepOf(RayState ray, RayStep next, float ds) {
     taken.start = ray.x;
     taken.middle = middleOf(Ray(ray.x, ray.w), next);
     taken.end = next.ray.x;
+    taken.wStart = ray.w;
     taken.w = next.looked.w;
     taken.wEnd = next.ray.w;
     taken.first = 0.5 * ds;
@@ -110,5 +112,5 @@ void storeRay(RayState marched) {
     storeRows(rayIndex, rows, 5, 7);
 #endif
     storeRows(rayIndex, rows, 7, kRowsPerRay);
-    storeSteepest();
+    storeBoundary();
 }

@@ -26,7 +26,7 @@ bool stepAlong(inout RayState ray, inout uint left) {
             taken += 1u;
             perW = onward.perW;
             move(ray, next);
-            followBoundary(ray, next.nBefore, next.inBand, next.middle, next.w, next.optics);
+            followBoundary(ray, next);
             passStep(ray, next);
             endFaintRay(ray);
         } while (isPlain(ray, most - taken));

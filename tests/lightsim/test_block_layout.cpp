@@ -35,13 +35,13 @@ test::Members particleMembers() {
         EIKONAL_MEMBER(bake::Particle, throughputP), EIKONAL_MEMBER(bake::Particle, meanShare),
         EIKONAL_MEMBER(bake::Particle, enteredShare), EIKONAL_MEMBER(bake::Particle, normal),
         EIKONAL_MEMBER(bake::Particle, gradMax), EIKONAL_MEMBER(bake::Particle, nStart),
-        EIKONAL_MEMBER(bake::Particle, nLast), EIKONAL_MEMBER(bake::Particle, wTangential),
+        EIKONAL_MEMBER(bake::Particle, nLast), EIKONAL_MEMBER(bake::Particle, along),
         EIKONAL_MEMBER(bake::Particle, sideAtStart), EIKONAL_MEMBER(bake::Particle, absorbedShare),
         EIKONAL_MEMBER(bake::Particle, arcLength), EIKONAL_MEMBER(bake::Particle, scatteredShare),
         EIKONAL_MEMBER(bake::Particle, launchShare), EIKONAL_MEMBER(bake::Particle, reflectedShare),
         EIKONAL_MEMBER(bake::Particle, litPart), EIKONAL_MEMBER(bake::Particle, tint),
-        EIKONAL_MEMBER(bake::Particle, unusedA), EIKONAL_MEMBER(bake::Particle, tintedShare),
-        EIKONAL_MEMBER(bake::Particle, unusedB)
+        EIKONAL_MEMBER(bake::Particle, weight), EIKONAL_MEMBER(bake::Particle, tintedShare),
+        EIKONAL_MEMBER(bake::Particle, unused)
     };
 }
 

@@ -63,7 +63,10 @@ test::Members pixelReflectionsMembers() {
     test::Members members = {
         EIKONAL_MEMBER(gpu::PixelReflections, steepestX), EIKONAL_MEMBER(gpu::PixelReflections, waiting),
         EIKONAL_MEMBER(gpu::PixelReflections, steepestW), EIKONAL_MEMBER(gpu::PixelReflections, facets),
-        EIKONAL_MEMBER(gpu::PixelReflections, steepestTransmittance), EIKONAL_MEMBER(gpu::PixelReflections, pad),
+        EIKONAL_MEMBER(gpu::PixelReflections, steepestTransmittance), EIKONAL_MEMBER(gpu::PixelReflections, padA),
+        EIKONAL_MEMBER(gpu::PixelReflections, startX), EIKONAL_MEMBER(gpu::PixelReflections, padB),
+        EIKONAL_MEMBER(gpu::PixelReflections, startTransmittance), EIKONAL_MEMBER(gpu::PixelReflections, padC),
+        EIKONAL_MEMBER(gpu::PixelReflections, startW), EIKONAL_MEMBER(gpu::PixelReflections, padD),
     };
     const test::Members waiting = {
         EIKONAL_MEMBER(gpu::Reflection, x), EIKONAL_MEMBER(gpu::Reflection, throughputS),

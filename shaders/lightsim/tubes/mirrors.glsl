@@ -23,7 +23,8 @@ bool reflectsBetween(Particle before, Particle after) {
 
 // Whether a boundary under way before a step is the one that is under way after it.
 bool isSameCrossing(Particle before, Particle after) {
-    return before.gradMax > 0.0 && after.gradMax >= before.gradMax && dot(after.normal, before.normal) > kPlateau;
+    return before.gradMax > 0.0 && after.gradMax >= before.gradMax &&
+           dot(after.normal, before.normal) > kPlateau * length(after.normal) * length(before.normal);
 }
 
 // Number of the crossing that mirror number `mirror` of the path is, from the mirror before it.
@@ -82,9 +83,10 @@ Particle mirrored(Start start, Particle before, Particle after, inout uint evalu
     ray.gradMax = max(length(gradN), before.gradMax);
     vec3 tangential = ray.w - ray.normal * dot(ray.w, ray.normal);
     ray.nStart = before.nStart;
-    ray.wTangential = length(tangential);
+    ray.weight = 1.0;
+    ray.along = length(tangential);
     ray.sideAtStart = side;
-    Crossing crossing = Crossing(ray.normal, ray.gradMax, ray.nStart, ray.nLast, ray.wTangential, side);
+    Crossing crossing = Crossing(ray.normal, 1.0, ray.along, ray.gradMax, ray.nStart, ray.nLast, side);
     vec3 farWave = crossingReflected(crossing, ray.w);
     ray.status = PARTICLE_MIRRORED;
     ray.w = farWave / max(dot(farWave, farWave), 1.0e-30);
