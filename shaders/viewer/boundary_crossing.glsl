@@ -1,6 +1,5 @@
 // Fresnel terms of the boundaries that a viewing ray crosses: transmittance, and what the boundary mirrors.
-#include "physics/fresnel.glsl"
-#include "physics/boundary.glsl"
+#include "viewer/ray_crossing.glsl"
 #include "viewer/background.glsl"
 
 #if defined(EFFECT_REFLECTION) && defined(FOLLOW_REFLECTIONS)
@@ -25,19 +24,6 @@ bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised 
 #endif
 
 #ifdef EFFECT_REFLECTION
-
-Crossing crossingOf(RayState ray, float nBefore) {
-    return Crossing(ray.crossingNormal, abs(ray.crossingWeight), ray.crossingAlong, ray.crossingGradMax, ray.crossingStart, nBefore,
-                    sign(ray.crossingWeight));
-}
-
-void setCrossing(inout RayState ray, Crossing crossing) {
-    ray.crossingNormal = crossing.normal;
-    ray.crossingWeight = crossing.sideAtStart * crossing.weight;
-    ray.crossingAlong = crossing.along;
-    ray.crossingGradMax = crossing.gradMax;
-    ray.crossingStart = crossing.nStart;
-}
 
 bool inBoundary(vec3 x) {
     return inInterface(x);

@@ -3,8 +3,7 @@
 #include "viewer/ray_states.glsl"
 #include "viewer/ray_lists.glsl"
 #include "fields/fields.glsl"
-#include "physics/fresnel.glsl"
-#include "physics/boundary.glsl"
+#include "viewer/ray_crossing.glsl"
 #include "shared/reflection_blocks.h"
 
 layout(local_size_x = kRaysPerGroup) in;
@@ -24,17 +23,12 @@ void gather(uint index, RayState ended) {
 // A ray that comes back from its mirror. Its radiance stays basic until the pixel's ray is shaded: nCamera is 1.
 RayState rayFrom(Reflection from, uint dispersed) {
     Optics optics = sampleOptics(from.x);
-    Crossing crossing = crossingFromMirror(from.w, optics.n, optics.gradN);
     RayState ray = newRay(from.x, from.w);
     ray.evaluations = 1u;
     ray.transmittance = from.transmittance;
     ray.throughputS = from.throughputS;
     ray.throughputP = from.throughputP;
-    ray.crossingNormal = crossing.normal;
-    ray.crossingGradMax = crossing.gradMax;
-    ray.crossingStart = crossing.nStart;
-    ray.crossingWeight = crossing.sideAtStart * crossing.weight;
-    ray.crossingAlong = crossing.along;
+    setCrossing(ray, crossingFromMirror(from.w, optics.n, optics.gradN));
     ray.n = optics.n;
     ray.dispersed = dispersed;
     ray.generation = from.generation;
