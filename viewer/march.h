@@ -1,6 +1,6 @@
 #pragma once
-// Second step: rays through the domain, in slices of bounded length that end where something happens to a ray. Such steps are
-// rare: the first slice, which most rays that are followed take most of their steps in, knows none.
+// Second step: rays through the domain, in slices of bounded length that end where something happens to a ray. The first slice
+// ends before any such step, which are rare; every other one begins with one.
 
 #include <cstdint>
 #include <string>
