@@ -1,6 +1,6 @@
 #pragma once
 // Second step: rays through the domain, in slices of bounded length that end where something happens to a ray. The first slice
-// ends before any such step, which are rare; every other one begins with one.
+// ends before any such step, which are rare; the others take it first.
 
 #include <cstdint>
 #include <string>
