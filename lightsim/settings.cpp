@@ -102,7 +102,8 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
     const double voxelsPerCell = std::pow(std::max(1.0, criteria.maxSide / fields.lattice.voxel), 2.0);
     settings.depositScale = float(std::min(std::exp2(30.0) * voxelsPerCell / (3.0 * 4.0 * grids.strongestCellPower),
                                            std::exp2(60.0) / (power * longestPathVoxels)));
-    settings.ledgerScale = float(std::exp2(52.0) / power);
+    // what a row holds is at most that power, a few times over where reflections are followed
+    settings.ledgerScale = float(std::exp2(60.0) / power);
     settings.cellCount = grids.cellCount;
     settings.capacity = std::max(8u, options.poolPatches);
     settings.recordCapacity = kRecordCapacity;
