@@ -32,21 +32,22 @@ std::array<glm::vec3, 6> hemisphereMeans(const EnvironmentCells& cells) {
     return means;
 }
 
-gpu::Texture2D mapTexture(const gpu::Context& context, const Image& map) {
-    gpu::Texture2D texture(context, gpu::TexelFormat::kRgba32f, map.size, "environment");
+gpu::Texture2D mapTexture(const gpu::Context& context, const Image& map, bool means) {
+    gpu::Texture2D texture(context, gpu::TexelFormat::kRgba32f, map.size, "environment", means);
     std::vector<glm::vec4> texels(map.pixels.size());
     std::transform(map.pixels.begin(), map.pixels.end(), texels.begin(),
                    [](const glm::vec3& pixel) { return glm::vec4(pixel, 1.0f); });
     texture.upload(texels.data());
+    if (means) texture.fillMeans();
     return texture;
 }
 
 } // namespace
 
 EnvironmentLight::EnvironmentLight(const gpu::Context& context, const Environment& environment, const Image* map,
-                                   bool ambient)
+                                   bool ambient, bool means)
     : environment_(environment) {
-    if (map) map_.emplace(mapTexture(context, *map));
+    if (map) map_.emplace(mapTexture(context, *map, means));
     if (ambient) ambient_ = hemisphereMeans(EnvironmentCells(environment, map, kAmbientRows));
 }
 

@@ -15,8 +15,8 @@ namespace eikonal::viewer {
 class EnvironmentLight {
 public:
     /// Uploads `map`, or takes the gradient of `environment` if there is none. `ambient`: mean radiances for opaque
-    /// surfaces are wanted.
-    EnvironmentLight(const gpu::Context& context, const Environment& environment, const Image* map, bool ambient);
+    /// surfaces are wanted. `means`: of the map over solid angles, for rough boundaries.
+    EnvironmentLight(const gpu::Context& context, const Environment& environment, const Image* map, bool ambient, bool means);
 
     void configure(gpu::ViewBlock& view) const;
     void bind() const;

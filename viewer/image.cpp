@@ -25,7 +25,7 @@ viewer::EnvironmentLight surroundings(const gpu::Context& context, const Scene& 
     // An environment that lights the bake is in its irradiance already.
     const bool ambient =
         effects.has(Effect::kOpaque) && effects.has(Effect::kEnvironment) && !(bake && scene.environment.bake);
-    return {context, scene.environment, map ? &*map : nullptr, ambient};
+    return {context, scene.environment, map ? &*map : nullptr, ambient, effects.has(Effect::kRoughness)};
 }
 
 std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const Scene& scene, const Fields& fields,
@@ -82,6 +82,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
     view.minThroughput = float(options.minThroughput);
+    view.sampleShare = 1.0f / float(std::max(scene.render.samples, 1));
     environment_.configure(view);
     configureLight();
     if (bake) placeLight(view, *bake, lattice_);

@@ -51,20 +51,22 @@ private:
 
 enum class TexelFormat { kR8, kRg8, kRgba8, kRg16, kRgba32f, kR32f };
 
-/// A texture with one level and linear filtering. Volumes are clamped at their faces; images repeat along u and are clamped
+/// A texture with linear filtering, of one level unless means over ever larger squares are wanted. Volumes are clamped at their faces; images repeat along u and are clamped
 /// along v (latitude-longitude maps). Throws badInput if the size is beyond the device.
 template <int kDimensions>
 class Texture {
 public:
     using Size = glm::vec<kDimensions, int>;
 
-    Texture(const Context& context, TexelFormat format, const Size& size, std::string_view label);
+    Texture(const Context& context, TexelFormat format, const Size& size, std::string_view label, bool hasMeans = false);
     Texture(Texture&& other) noexcept;
     Texture& operator=(Texture&& other) noexcept;
     ~Texture();
 
     /// Tightly packed texels of the texture's own format (R8, RG8, RGBA8: bytes, RG16: 16-bit words, others: floats), x fastest.
     void upload(const void* texels);
+    /// The other levels, from the first.
+    void fillMeans();
     /// Reads of a texture of one channel give its value in red, green and blue, and 0 in alpha.
     void showGrey();
     void bind(GLuint unit) const;
@@ -79,6 +81,7 @@ private:
     GLuint name_ = 0;
     TexelFormat format_{};
     Size size_{0};
+    int levels_ = 1;
     std::string label_;
 };
 

@@ -1,5 +1,7 @@
 #include "common/gpu/objects.h"
 
+#include <algorithm>
+#include <bit>
 #include <string>
 #include <utility>
 
@@ -26,8 +28,16 @@ FormatTraits traitsOf(TexelFormat format) {
     return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
 }
 
-void setLinearSampling(GLuint texture, GLint wrapU) {
-    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+/// Down to a single texel.
+template <int kDimensions>
+int levelsOf(const glm::vec<kDimensions, int>& size) {
+    int levels = 1;
+    for (int axis = 0; axis < kDimensions; ++axis) levels = std::max(levels, int(std::bit_width(unsigned(size[axis]))));
+    return levels;
+}
+
+void setLinearSampling(GLuint texture, GLint wrapU, int levels) {
+    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTextureParameteri(texture, GL_TEXTURE_WRAP_S, wrapU);
     glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -54,31 +64,34 @@ void requireSize(const Context& context, const glm::vec<kDimensions, int>& size,
 } // namespace
 
 template <int kDimensions>
-Texture<kDimensions>::Texture(const Context& context, TexelFormat format, const Size& size, std::string_view label)
-    : format_(format), size_(size), label_(label) {
+Texture<kDimensions>::Texture(const Context& context, TexelFormat format, const Size& size, std::string_view label,
+                              bool hasMeans)
+    : format_(format), size_(size), levels_(hasMeans ? levelsOf<kDimensions>(size) : 1), label_(label) {
     requireSize<kDimensions>(context, size, label);
     const GLenum internal = traitsOf(format).internal;
     if constexpr (kDimensions == 3) {
         glCreateTextures(GL_TEXTURE_3D, 1, &name_);
-        glTextureStorage3D(name_, 1, internal, size.x, size.y, size.z);
-        setLinearSampling(name_, GL_CLAMP_TO_EDGE);
+        glTextureStorage3D(name_, levels_, internal, size.x, size.y, size.z);
+        setLinearSampling(name_, GL_CLAMP_TO_EDGE, levels_);
     } else {
         glCreateTextures(GL_TEXTURE_2D, 1, &name_);
-        glTextureStorage2D(name_, 1, internal, size.x, size.y);
-        setLinearSampling(name_, GL_REPEAT);
+        glTextureStorage2D(name_, levels_, internal, size.x, size.y);
+        setLinearSampling(name_, GL_REPEAT, levels_);
     }
     glObjectLabel(GL_TEXTURE, name_, GLsizei(label_.size()), label_.data());
 }
 
 template <int kDimensions>
 Texture<kDimensions>::Texture(Texture&& other) noexcept
-    : name_(std::exchange(other.name_, 0)), format_(other.format_), size_(other.size_), label_(std::move(other.label_)) {}
+    : name_(std::exchange(other.name_, 0)), format_(other.format_), size_(other.size_), levels_(other.levels_),
+      label_(std::move(other.label_)) {}
 
 template <int kDimensions>
 Texture<kDimensions>& Texture<kDimensions>::operator=(Texture&& other) noexcept {
     std::swap(name_, other.name_);
     std::swap(format_, other.format_);
     std::swap(size_, other.size_);
+    std::swap(levels_, other.levels_);
     std::swap(label_, other.label_);
     return *this;
 }
@@ -100,6 +113,11 @@ void Texture<kDimensions>::upload(const void* texels) {
 }
 
 template <int kDimensions>
+void Texture<kDimensions>::fillMeans() {
+    glGenerateTextureMipmap(name_);
+}
+
+template <int kDimensions>
 void Texture<kDimensions>::showGrey() {
     glTextureParameteri(name_, GL_TEXTURE_SWIZZLE_G, GL_RED);
     glTextureParameteri(name_, GL_TEXTURE_SWIZZLE_B, GL_RED);
@@ -118,9 +136,13 @@ void Texture<kDimensions>::bindImage(GLuint unit) const {
 
 template <int kDimensions>
 std::size_t Texture<kDimensions>::bytes() const {
-    std::size_t bytes = traitsOf(format_).texelBytes;
-    for (int axis = 0; axis < kDimensions; ++axis) bytes *= std::size_t(size_[axis]);
-    return bytes;
+    std::size_t texels = 0;
+    for (int level = 0; level < levels_; ++level) {
+        std::size_t count = 1;
+        for (int axis = 0; axis < kDimensions; ++axis) count *= std::size_t(std::max(size_[axis] >> level, 1));
+        texels += count;
+    }
+    return texels * traitsOf(format_).texelBytes;
 }
 
 template class Texture<2>;

@@ -102,6 +102,8 @@ struct BoundarySplit {
     real3 onward;  // of the ray that goes on
     Polarised reflected;
     Polarised transmitted;
+    real awaySpread;    // solid angle of the directions that each stands for [sr]; 0: it goes no other way
+    real onwardSpread;
 };
 
 // Wave vector with which the ray of a crossing that ends with wave vector w met the interface, in the plane of both.
@@ -130,6 +132,8 @@ BoundarySplit crossingSplit(Crossing crossing, real3 w, real n) {
     split.transmitted = crossingTransmittance(crossing, w, n);
     split.reflected.s = 1.0 - split.transmitted.s;
     split.reflected.p = 1.0 - split.transmitted.p;
+    split.awaySpread = 0.0;
+    split.onwardSpread = 0.0;
     return split;
 }
 

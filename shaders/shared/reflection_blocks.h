@@ -27,7 +27,7 @@ struct Reflection {
     vec3 w;              // wave vector away from it
     float throughputP;
     vec3 transmittance;  // as RayState's when it sets out
-    uint generation;     // RayState::generation
+    uint generationAndSpread;  // packHalf2x16: RayState::generation, PixelReflections::spread
 };
 
 struct PixelReflections {
@@ -36,7 +36,7 @@ struct PixelReflections {
     vec3 steepestW;   // wave vector there
     uint facets;      // of rough boundaries that the sample has met
     vec3 steepestTransmittance;
-    float padA;
+    float spread;     // of the ray under way: solid angle of the directions that it stands for, behind rough boundaries [sr]
     vec3 startX;      // where that boundary began
     float padB;
     vec3 startW;
@@ -47,7 +47,7 @@ struct PixelReflections {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(Reflection) == 48 && offsetof(Reflection, w) == 16 && offsetof(Reflection, generation) == 44);
+static_assert(sizeof(Reflection) == 48 && offsetof(Reflection, w) == 16 && offsetof(Reflection, generationAndSpread) == 44);
 static_assert(offsetof(PixelReflections, waiting) == 12 && offsetof(PixelReflections, list) == 96);
 static_assert(sizeof(PixelReflections) == 96 + 48 * kMostWaiting);
 

@@ -135,6 +135,10 @@ struct ViewBlock {
     float focusDistance;      // of the plane in focus, along cameraForward [scene units]
     float halfWeight;         // of this sample in the mean of those in the first half so far, 0 if it is in the other
     uint lensHalf;            // the half that it is in
+    float sampleShare;        // of each of the samples that the scene asks for
+    float padA;
+    float padB;
+    float padC;
 };
 
 #ifdef __cplusplus
@@ -148,7 +152,7 @@ static_assert(offsetof(FilmPixel, depth) == 32 && offsetof(FilmPixel, opticalLen
 static_assert(offsetof(FilmPixel, halfLuminance) == 60 && offsetof(FilmPixel, normal) == 64);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
-static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && sizeof(ViewBlock) == 352);
+static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && offsetof(ViewBlock, sampleShare) == 352 && sizeof(ViewBlock) == 368);
 
 } // namespace eikonal::gpu
 #else
@@ -164,5 +168,5 @@ ViewBlock view = ViewBlock(
     viewGiven.ambient, viewGiven.contentMin, viewGiven.negligibleGradient, viewGiven.contentMax,
     viewGiven.dispersedAtStart, viewGiven.bandToRgb, viewGiven.bandChannel, viewGiven.mostGenerations,
     viewGiven.leastReflected, viewGiven.lensSequence, viewGiven.lensRadius, viewGiven.focusDistance,
-    viewGiven.halfWeight, viewGiven.lensHalf);
+    viewGiven.halfWeight, viewGiven.lensHalf, viewGiven.sampleShare, 0.0, 0.0, 0.0);
 #endif

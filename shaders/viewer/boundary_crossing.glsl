@@ -18,9 +18,15 @@ vec3 tintOfMirror() {
     return vec3(1.0);
 }
 
-bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised throughput) {
+bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised throughput, float spread) {
     return false;
 }
+
+float raySpread() {
+    return 0.0;
+}
+
+void spreadRay(float more) {}
 #endif
 
 #ifdef EFFECT_REFLECTION
@@ -36,10 +42,10 @@ bool boundaryEnds(RayState ray, bool inBand, Optics optics) {
 
 // The environment that a boundary mirrors, looked up along the reflected ray's first direction: later bends of it are not
 // followed.
-void mirrorEnvironment(inout RayState ray, vec3 away, Polarised throughput) {
+void mirrorEnvironment(inout RayState ray, vec3 away, Polarised throughput, float spread) {
     if (dot(away, away) > 0.0) {
         ray.radiance += ray.transmittance * tintOfMirror() * (0.5 * (throughput.s + throughput.p)) *
-                        background(normalize(away));
+                        background(normalize(away), spread);
     }
 }
 
@@ -47,9 +53,11 @@ void reflectAndTransmit(inout RayState ray, Crossing crossing, vec3 w, float nEn
     BoundarySplit split = splitAt(crossing, w, nEnd);
     Polarised reflected = Polarised(ray.throughputS * split.reflected.s, ray.throughputP * split.reflected.p);
     bool reflects = reflected.s + reflected.p > 0.0;
-    if (reflects && !letWait(ray, crossing.nStart, nEnd, split.away, reflected)) {
-        mirrorEnvironment(ray, split.away, reflected);
+    float spread = raySpread() + split.awaySpread;
+    if (reflects && !letWait(ray, crossing.nStart, nEnd, split.away, reflected, spread)) {
+        mirrorEnvironment(ray, split.away, reflected, spread);
     }
+    spreadRay(split.onwardSpread);
     ray.throughputS *= split.transmitted.s;
     ray.throughputP *= split.transmitted.p;
 #ifdef EFFECT_ROUGHNESS

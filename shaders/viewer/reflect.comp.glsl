@@ -31,7 +31,7 @@ RayState rayFrom(Reflection from, uint dispersed) {
     setCrossing(ray, crossingFromMirror(from.w, optics.n, optics.gradN));
     ray.n = optics.n;
     ray.dispersed = dispersed;
-    ray.generation = from.generation;
+    ray.generation = uint(unpackHalf2x16(from.generationAndSpread).x);
     return ray;
 }
 
@@ -45,11 +45,13 @@ void nextRound(uint index) {
         ended.status = kNoRay;
         storeWholeRay(index, ended);
         reflections[index].facets = 0u;
+        reflections[index].spread = 0.0;
         return;
     }
     Reflection from = reflections[index].list[waiting - 1u];
     storeWholeRay(index, rayFrom(from, directRays[index].dispersed));
     reflections[index].waiting = waiting - 1u;
+    reflections[index].spread = unpackHalf2x16(from.generationAndSpread).y;
     reflections[index].startX = from.x;
     reflections[index].startW = from.w;
     reflections[index].startTransmittance = from.transmittance;

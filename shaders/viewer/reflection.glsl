@@ -46,6 +46,20 @@ void storeBoundary() {
 
 #ifdef EFFECT_ROUGHNESS
 #include "viewer/rough_boundary.glsl"
+
+float raySpread() {
+    return reflections[rayIndex].spread;
+}
+
+void spreadRay(float more) {
+    reflections[rayIndex].spread += more;
+}
+#else
+float raySpread() {
+    return 0.0;
+}
+
+void spreadRay(float more) {}
 #endif
 
 // How the boundary that ends with wave vector w at index nEnd splits light.
@@ -91,7 +105,7 @@ vec3 transmittanceOfReturn() {
 }
 
 // Lets the reflection at a boundary that ends at index nEnd wait, if it is worth it and there is room. Whether it does.
-bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised throughput) {
+bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised throughput, float spread) {
     uint waiting = reflections[rayIndex].waiting;
     if (waiting >= uint(kMostWaiting) || !isWorthFollowing(ray, throughput)) {
         return false;
@@ -102,7 +116,8 @@ bool letWait(inout RayState ray, float nStart, float nEnd, vec3 away, Polarised 
     // At flat angles the boundary may begin so far off that the image is beyond the domain, where nothing turns it any more.
     vec3 inDomain = clamp(reflected.x, domain.min, domain.max);
     reflections[rayIndex].list[waiting] = Reflection(inDomain, throughput.s, reflected.w, throughput.p,
-                                                     transmittanceOfReturn() * tintOfMirror(), ray.generation + 1u);
+                                                     transmittanceOfReturn() * tintOfMirror(),
+                                                     packHalf2x16(vec2(float(ray.generation + 1u), spread)));
     reflections[rayIndex].waiting = waiting + 1u;
     return true;
 }

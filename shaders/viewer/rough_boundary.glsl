@@ -19,9 +19,14 @@ vec2 nextUniform() {
     return fract(vec2(start) / 16777216.0 + fract(float(view.roundIndex) * kStep));
 }
 
+// The ray goes on as much off its way as a facet turns it more than a plane does: over small edges and in a boundary's tail, where
+// there is no plane, the field has turned it otherwise.
 BoundarySplit roughSplit(Crossing crossing, vec3 w, float nEnd, float roughness) {
     vec2 uniform01 = nextUniform();
     vec3 against = -crossing.sideAtStart * crossingNormal(crossing);
-    return splitAtFacet(crossingIncident(crossing, w), against, crossing.nStart, nEnd,
-                        alphaOfRoughness(roughness), uniform01.x, uniform01.y);
+    vec3 incident = crossingIncident(crossing, w);
+    BoundarySplit split =
+        splitAtFacet(incident, against, crossing.nStart, nEnd, alphaOfRoughness(roughness), uniform01.x, uniform01.y, view.sampleShare);
+    split.onward = length(w) * normalize(w + split.onward - refractedWave(incident, against, nEnd));
+    return split;
 }

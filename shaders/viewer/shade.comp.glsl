@@ -5,6 +5,20 @@
 #include "viewer/background.glsl"
 #include "viewer/surface_light.glsl"
 
+#ifdef EFFECT_ROUGHNESS
+#include "shared/reflection_blocks.h"
+
+layout(std430, binding = kStorageReflections) readonly buffer Reflections { PixelReflections reflections[]; };
+
+float raySpread(uint index) {
+    return reflections[index].spread;
+}
+#else
+float raySpread(uint index) {
+    return 0.0;
+}
+#endif
+
 layout(local_size_x = kRaysPerGroup) in;
 
 #ifdef EFFECT_OPAQUE
@@ -52,13 +66,13 @@ vec3 normalAtEnd(RayState ray) {
     return vec3(0.0);
 }
 
-vec3 radianceBehind(RayState ray, vec3 normal) {
+vec3 radianceBehind(RayState ray, vec3 normal, float spread) {
 #ifdef EFFECT_OPAQUE
     if (ray.status == kHitOpaque) {
         return surfaceRadiance(ray.x, normal) / (ray.n * ray.n);
     }
 #endif
-    return ray.status == kAttenuated ? vec3(0.0) : background(unitDirection(ray));
+    return ray.status == kAttenuated ? vec3(0.0) : background(unitDirection(ray), spread);
 }
 
 void main() {
@@ -68,7 +82,7 @@ void main() {
         return;
     }
     vec3 normal = normalAtEnd(ray);
-    vec3 basic = ray.radiance + rayThroughput(ray) * radianceBehind(ray, normal);
+    vec3 basic = ray.radiance + rayThroughput(ray) * radianceBehind(ray, normal, raySpread(index));
     ray.crossingNormal = normal;
     ray.radiance = ray.nCamera * ray.nCamera * basic;
     storeRows(index, rowsOf(ray), 4, 6);

@@ -46,7 +46,8 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, mostGenerations), EIKONAL_MEMBER(gpu::ViewBlock, leastReflected),
         EIKONAL_MEMBER(gpu::ViewBlock, lensSequence), EIKONAL_MEMBER(gpu::ViewBlock, lensRadius),
         EIKONAL_MEMBER(gpu::ViewBlock, focusDistance), EIKONAL_MEMBER(gpu::ViewBlock, halfWeight),
-        EIKONAL_MEMBER(gpu::ViewBlock, lensHalf),
+        EIKONAL_MEMBER(gpu::ViewBlock, lensHalf), EIKONAL_MEMBER(gpu::ViewBlock, sampleShare),
+        EIKONAL_MEMBER(gpu::ViewBlock, padA), EIKONAL_MEMBER(gpu::ViewBlock, padB), EIKONAL_MEMBER(gpu::ViewBlock, padC),
     };
 }
 
@@ -63,7 +64,7 @@ test::Members pixelReflectionsMembers() {
     test::Members members = {
         EIKONAL_MEMBER(gpu::PixelReflections, steepestX), EIKONAL_MEMBER(gpu::PixelReflections, waiting),
         EIKONAL_MEMBER(gpu::PixelReflections, steepestW), EIKONAL_MEMBER(gpu::PixelReflections, facets),
-        EIKONAL_MEMBER(gpu::PixelReflections, steepestTransmittance), EIKONAL_MEMBER(gpu::PixelReflections, padA),
+        EIKONAL_MEMBER(gpu::PixelReflections, steepestTransmittance), EIKONAL_MEMBER(gpu::PixelReflections, spread),
         EIKONAL_MEMBER(gpu::PixelReflections, startX), EIKONAL_MEMBER(gpu::PixelReflections, padB),
         EIKONAL_MEMBER(gpu::PixelReflections, startTransmittance), EIKONAL_MEMBER(gpu::PixelReflections, padC),
         EIKONAL_MEMBER(gpu::PixelReflections, startW), EIKONAL_MEMBER(gpu::PixelReflections, padD),
@@ -71,7 +72,7 @@ test::Members pixelReflectionsMembers() {
     const test::Members waiting = {
         EIKONAL_MEMBER(gpu::Reflection, x), EIKONAL_MEMBER(gpu::Reflection, throughputS),
         EIKONAL_MEMBER(gpu::Reflection, w), EIKONAL_MEMBER(gpu::Reflection, throughputP),
-        EIKONAL_MEMBER(gpu::Reflection, transmittance), EIKONAL_MEMBER(gpu::Reflection, generation),
+        EIKONAL_MEMBER(gpu::Reflection, transmittance), EIKONAL_MEMBER(gpu::Reflection, generationAndSpread),
     };
     for (int i = 0; i < gpu::kMostWaiting; ++i) {
         const std::size_t offset = offsetof(gpu::PixelReflections, list) + std::size_t(i) * sizeof(gpu::Reflection);

@@ -1,7 +1,12 @@
 // Rough surfaces: facets as a direction sees them and what they reflect, against quadratures of the distribution itself.
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "common/image_io.h"
 #include "common/physics.h"
 #include "common/scene_toml.h"
 #include "tests/support/synthetic_fields.h"
@@ -81,7 +86,7 @@ TEST(Microfacets, ReflectWhatTheirDistributionSays) {
         for (const double cosine : {1.0, 0.5}) {
             const glm::dvec3 before = -directionAt(cosine, 0.4);
             const double sampled = overSquare([&](double u, double v) {
-                const f64::BoundarySplit split = f64::splitAtFacet(before, {0.0, 0.0, 1.0}, 1.0, 1.5, alpha, u, v);
+                const f64::BoundarySplit split = f64::splitAtFacet(before, {0.0, 0.0, 1.0}, 1.0, 1.5, alpha, u, v, 1.0);
                 return 0.5 * (split.reflected.s + split.reflected.p);
             });
             const double exact = reflectedShare(cosine, 1.5, alpha);
@@ -95,7 +100,7 @@ TEST(Microfacets, KeepSnellsLawAndLoseOnlyWhatOthersHide) {
     const glm::dvec3 before = 1.5 * glm::normalize(-normal + 0.4 * glm::cross(normal, glm::dvec3(0.0, 0.0, 1.0)));
     for (const double alpha : {1e-4, 0.3}) {
         for (const double u : {0.1, 0.6, 0.95}) {
-            const f64::BoundarySplit split = f64::splitAtFacet(before, normal, 1.5, 1.0, alpha, u, 0.3);
+            const f64::BoundarySplit split = f64::splitAtFacet(before, normal, 1.5, 1.0, alpha, u, 0.3, 1.0);
             EXPECT_NEAR(glm::length(split.away), 1.5, 1e-12);
             const double kept = split.reflected.s + split.transmitted.s;
             EXPECT_LE(kept, 1.0);
@@ -108,6 +113,40 @@ TEST(Microfacets, KeepSnellsLawAndLoseOnlyWhatOthersHide) {
             EXPECT_LE(glm::length(glm::cross(split.onward - before, split.away - before)), 1e-12);
         }
     }
+}
+
+TEST(Microfacets, BetweenEqualIndicesAreNone) {
+    const glm::dvec3 before = -1.3 * directionAt(0.2, 0.4);
+    for (const double u : {0.1, 0.6, 0.95}) {
+        const f64::BoundarySplit split = f64::splitAtFacet(before, {0.0, 0.0, 1.0}, 1.3, 1.3, 0.5, u, 0.3, 1.0);
+        if (glm::dot(split.onward, before) < 0.0) continue;
+        EXPECT_LE(glm::length(split.onward - before), 1e-12);
+        EXPECT_NEAR(split.transmitted.s + split.transmitted.p, 2.0, 1e-12);
+    }
+}
+
+/// A bump of directions about `middle`, one there, half as much 15° off.
+double bump(const glm::dvec3& direction, const glm::dvec3& middle) {
+    return std::exp(-20.0 * (1.0 - glm::dot(direction, glm::normalize(middle))));
+}
+
+TEST(Microfacets, SpreadOverDirectionsAsDenselyAsTheyAreTaken) {
+    // a mean of f times the solid angle that a direction stands for is the integral of f
+    const glm::dvec3 before = -directionAt(0.8, 0.4), above(-0.5, -0.2, 0.8), below(-0.37, -0.15, -0.92);
+    double away = 0.0, onward = 0.0;
+    constexpr int kCells = 400;
+    for (int i = 0; i < kCells * kCells; ++i) {
+        const double u = (i / kCells + 0.5) / kCells, v = (i % kCells + 0.5) / kCells;
+        const f64::BoundarySplit split =
+            f64::splitAtFacet(before, {0.0, 0.0, 1.0}, 1.0, 1.5, 0.6, u, v, 1.0 / (kCells * kCells));
+        away += split.away.z > 0.0 ? split.awaySpread * bump(split.away, above) : 0.0;
+        onward += split.onwardSpread * bump(split.onward / 1.5, below);
+    }
+    const double upper = overHemisphere([&](const glm::dvec3& d) { return bump(d, above); });
+    const double lower = overHemisphere([&](const glm::dvec3& d) { return bump(-d, below); });
+    // no facet lets light through beyond the critical angle about itself; the grid is coarse where facets are few
+    EXPECT_NEAR(away, upper, 0.02 * upper);
+    EXPECT_NEAR(onward, lower, 0.02 * lower);
 }
 
 const char* const kRoughPlate = "[domain]\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\nresolution = 32\n"
@@ -143,6 +182,48 @@ TEST(RoughSurface, ReflectsTheSkyByItsFacets) {
     // a thousand samples whose values differ by a third of their mean leave 1 %; the indices of a crossing are 0.3 % of the
     // step off on either side, R 2.4 %
     EXPECT_NEAR(seen, exact, 0.05 * exact);
+}
+
+/// A dark latitude-longitude map but for a lamp, 3° across, 30° off the zenith: radiance 1000 in 2 x 2 of 256 x 128 texels.
+std::filesystem::path writeSmallLamp() {
+    const auto path = std::filesystem::temp_directory_path() / ("eikonal_lamp_" + std::to_string(std::rand()) + ".exr");
+    const glm::ivec2 size(256, 128);
+    std::vector<float> radiance(std::size_t(size.x) * std::size_t(size.y), 0.0f);
+    for (int y = 21; y < 23; ++y)
+        for (int x = 63; x < 65; ++x) radiance[std::size_t(y * size.x + x)] = 1000.0f;
+    const std::vector<ImageChannel> channels{{"R", &radiance}, {"G", &radiance}, {"B", &radiance}};
+    writeExr(path, size, channels, {});
+    return path;
+}
+
+TEST(RoughSurface, UnderASmallLampGleamsWithoutSpeckle) {
+    Scene scene = parseScene(kRoughPlate, "plate.toml", ".");
+    scene.environment.image = writeSmallLamp();
+    scene.camera.position = {0.0, 0.8, 0.0};
+    scene.camera.lookAt = {0.0, 0.0, 0.0};
+    scene.camera.fov = 0.1;
+    scene.render.size = glm::ivec2(8);
+    scene.render.samples = 64;
+    const Fields fields = composeFields(scene);
+    const RenderResult image = renderScene(test::sharedContext(), scene, fields, decideEffects(scene, fields), nullptr);
+    std::filesystem::remove(*scene.environment.image);
+    double mean = 0.0, square = 0.0;
+    for (int i = 0; i < 64; ++i) {
+        const double radiance = image.radiance(i % 8, i / 8).g;
+        mean += radiance / 64.0;
+        square += radiance * radiance / 64.0;
+    }
+    const double alpha = f64::alphaOfRoughness(0.6);
+    const double latitude = kPi * 22.0 / 128.0;  // of the lamp's middle, from the zenith
+    const double solidAngle = 4.0 * 2.0 * kPi * kPi / (256.0 * 128.0) * std::sin(latitude);
+    const glm::dvec3 away = directionAt(std::cos(latitude), 0.0), m = glm::normalize(glm::dvec3(0.0, 0.0, 1.0) + away);
+    const f64::Polarised r = f64::fresnelReflectance(1.0, 1.5, std::sqrt(1.0 - m.z * m.z));
+    const double exact = 1000.0 * solidAngle * 0.5 * (r.s + r.p) * facetDensity(m.z, alpha) *
+                         f64::facetVisibility(away.z, alpha) / 4.0;
+    // the gleam is blurred by a 64th part of the lobe, some 8°; R is short by 2.4 %
+    EXPECT_NEAR(mean, exact, 0.1 * exact);
+    // measured: 0.38. Points of the map in place of means over it leave 5.9 times the mean: a facet in 500 meets the lamp
+    EXPECT_LT(std::sqrt(square - mean * mean), 0.5 * mean);
 }
 
 TEST(RoughSurface, IsDecidedByTheScene) {
