@@ -64,7 +64,7 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     particle.tint = vec3(1.0);
     particle.weight = 0.0;
     particle.tintedShare = vec3(0.0);
-    particle.unused = 0.0;
+    particle.blockedAt = 0.0;
     return particle;
 }
 

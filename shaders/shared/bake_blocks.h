@@ -117,7 +117,7 @@ struct Particle {
     vec3 tint;            // of the boundary that is being crossed, where it is steepest so far
     float weight;         // Crossing
     vec3 tintedShare;     // what tints have taken from what boundaries reflect
-    float unused;
+    float blockedAt;      // steps since launch at which it met opaque matter; 0: it has not
 };
 
 // A piece of a wavefront: corners in the order (u0, v0), (u1, v0), (u1, v1), (u0, v1) of its launch rectangle.

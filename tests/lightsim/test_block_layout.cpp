@@ -41,7 +41,7 @@ test::Members particleMembers() {
         EIKONAL_MEMBER(bake::Particle, launchShare), EIKONAL_MEMBER(bake::Particle, reflectedShare),
         EIKONAL_MEMBER(bake::Particle, litPart), EIKONAL_MEMBER(bake::Particle, tint),
         EIKONAL_MEMBER(bake::Particle, weight), EIKONAL_MEMBER(bake::Particle, tintedShare),
-        EIKONAL_MEMBER(bake::Particle, unused)
+        EIKONAL_MEMBER(bake::Particle, blockedAt)
     };
 }
 

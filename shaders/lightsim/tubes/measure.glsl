@@ -6,12 +6,15 @@
 layout(std430, binding = TUBE_VERTICES_BINDING) readonly buffer VertexBlock { TubeVertex vertices[]; };
 layout(std430, binding = TUBE_FRAMES_BINDING) readonly buffer FrameBlock { LaunchFrame frames[]; };
 
+#include "lightsim/tubes/opaque_front.glsl"
+
 struct Expectation {
     vec3 position;
     vec3 share;
     vec3 along;       // from one neighbour to the other [scene units]; 0: no matter
     float evenShift;  // of the middle along it if irradiance is the same on both sides, over its length
     float extent;     // distance between the neighbours [scene units]
+    float firstEnd;   // where the first of all ends, in steps of the window, if all end at one surface; else kNoEnd
 };
 
 // Whether a sample belongs to a ray that light has come along, not to its image before a mirror.
@@ -85,7 +88,7 @@ void measureSample(uint middle, int k, Expectation expected, vec3 power, inout T
     vec3 offset = positionAt(place).xyz - expected.position;
     float deviation = length(offset);
     float shift = unevenShift(offset, expected);
-    float error = shareError(share, expected);
+    float error = float(k) > expected.firstEnd ? 0.0 : shareError(share, expected);
     const float kHiddenPart = 0.1;  // of the power, if there is detail and it does what middles do not tell
     bool hides = mayHide(positionAt(place).xyz, expected.along);
     if (hides || deviation > tube.maxDeviation || shift > tube.maxUnevenSpread || error > tube.maxShareDeviation) {

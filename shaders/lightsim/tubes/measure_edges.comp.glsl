@@ -21,6 +21,9 @@ void main() {
     float spacing = pow(launchDensity(frame, vertices[edge.first].launch) / launchDensity(frame, vertices[edge.second].launch),
                         1.0 / 3.0);
     float evenShift = 0.5 * (spacing - 1.0) / (spacing + 1.0);
+    float ends[2] = float[2](endOf(edge.first), endOf(edge.second));
+    bool oneSurface = isOneSurface(endOf(edge.middle), 0.5 * (ends[0] + ends[1]));
+    float firstEnd = oneSurface ? min(endOf(edge.middle), min(ends[0], ends[1])) : kNoEnd;
     TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(0u), vec4(0.0));
     for (int k = 0; k < (isWorthHalving(power, frameIndex) ? TUBE_SAMPLES : 0); ++k) {
         uint first = trackOf(edge.first) + uint(k);
@@ -32,7 +35,7 @@ void main() {
                         withinDomain(positionAt(middle).xyz, domain.voxel);
         if (isInside && (isReal(first) || isReal(second) || isReal(middle))) {
             Expectation expected = Expectation(0.5 * (a + b), 0.5 * (shareAt(first).rgb + shareAt(second).rgb),
-                                               b - a, evenShift, distance(a, b));
+                                               b - a, evenShift, distance(a, b), firstEnd);
             measureSample(edge.middle, k, expected, power, measure);
         }
     }

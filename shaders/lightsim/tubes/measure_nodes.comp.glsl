@@ -20,8 +20,8 @@ vec4 launchSharesOf(TubeNode node, LaunchFrame frame) {
 }
 
 // Half the sum of the sides' middles less a quarter of the corners'.
-Expectation expectedCentre(TubeNode node, int k) {
-    Expectation expected = Expectation(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
+Expectation expectedCentre(TubeNode node, int k, float firstEnd) {
+    Expectation expected = Expectation(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0, firstEnd);
     for (uint i = 0u; i < 9u; ++i) {
         if (i != kCentre) {
             float weight = i % 2u == 1u ? 0.5 : -0.25;
@@ -35,6 +35,22 @@ Expectation expectedCentre(TubeNode node, int k) {
     return expected;
 }
 
+// Where the first of the nine ends, if all end at one surface.
+float firstEndOf(TubeNode node) {
+    float centre = endOf(node.vertices[kCentre]);
+    float first = centre;
+    float expected = 0.0;
+    for (uint i = 0u; i < 9u; ++i) {
+        if (i != kCentre) {
+            float end = endOf(node.vertices[i]);
+            expected += (i % 2u == 1u ? 0.5 : -0.25) * end;
+            first = min(first, end);
+            centre = max(centre, end > 0.5 * kNoEnd ? kNoEnd : centre);
+        }
+    }
+    return isOneSurface(centre, expected) ? first : kNoEnd;
+}
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= tube.itemCount) {
@@ -46,11 +62,12 @@ void main() {
     vec4 launchShare = launchSharesOf(node, frame);
     vec3 power = frame.strength * dot(launchShare, vec4(1.0));
     bool isMeasured = isWorthHalving(power, node.frameIndex);
+    float firstEnd = firstEndOf(node);
     TubeMeasure measure = TubeMeasure(uvec2(0u), uvec2(isMeasured ? 0u : ~0u), launchShare);
     for (int k = 0; k < (isMeasured ? TUBE_SAMPLES : 0); ++k) {
         uint centre = trackOf(node.vertices[kCentre]) + uint(k);
         if (withinDomain(positionAt(centre).xyz, domain.voxel) && isReal(centre)) {
-            measureSample(node.vertices[kCentre], k, expectedCentre(node, k), power, measure);
+            measureSample(node.vertices[kCentre], k, expectedCentre(node, k, firstEnd), power, measure);
         }
     }
     nodes[self].launchShare = launchShare;

@@ -1,6 +1,6 @@
 // Where opaque matter cuts a cell: rays are interpolated with beyond it, but light ends there.
 
-// The part of the steps in front of opaque matter at a place (u, v) of a cell.
+// The part of the steps in front of opaque matter at a place (u, v) of a cell; below 0 or above 1 where that lies before or behind.
 float litPartAt(uint cell, vec2 at) {
 #ifdef EFFECT_OPAQUE
     vec4 parts = cellRow(cell, kLitPartsRow);
@@ -13,7 +13,7 @@ float litPartAt(uint cell, vec2 at) {
 // The same at a corner.
 float litPartAtCorner(uint cell, int corner) {
 #ifdef EFFECT_OPAQUE
-    return cellRow(cell, kLitPartsRow)[corner];
+    return clamp(cellRow(cell, kLitPartsRow)[corner], 0.0, 1.0);
 #else
     return 1.0;
 #endif

@@ -8,6 +8,9 @@ layout(local_size_x = BAKE_GROUP_SIZE) in;
 
 layout(std430, binding = TUBE_NODES_BINDING) readonly buffer NodeBlock { TubeNode nodes[]; };
 layout(std430, binding = TUBE_FRAMES_BINDING) readonly buffer FrameBlock { LaunchFrame frames[]; };
+layout(std430, binding = TUBE_VERTICES_BINDING) readonly buffer VertexBlock { TubeVertex vertices[]; };
+
+#include "lightsim/tubes/opaque_front.glsl"
 
 const float kPointShare = 5.0e-3;   // of the power that is not worth another ray
 
@@ -58,6 +61,46 @@ void cutAtMatter(inout TubeCell cell) {
     }
     for (int i = 0; i < 4; ++i) {
         cell.litParts[i] = count > 0.0 && largestOf(cell.shares[i].rgb) == 0.0 ? sum / count : cell.litParts[i];
+    }
+}
+#endif
+
+#ifdef EFFECT_OPAQUE
+vec4 endsOf(TubeJob job, uint quarter) {
+    vec4 ends;
+    uint low = quarter % 2u + 3u * (quarter / 2u);
+    for (uint i = 0u; i < 4u; ++i) {
+        ends[i] = endOf(nodes[job.node].vertices[low + i % 2u + 3u * (i / 2u)]);
+    }
+    return ends;
+}
+
+// Whether one surface ends the light of all four corners, in whichever of the window's steps.
+bool isOneSurface(vec4 ends) {
+    float latest = max(max(ends.x, ends.y), max(ends.z, ends.w));
+    return latest < 0.5 * kNoEnd && isOneSurface(0.5 * (ends.x + ends.w), 0.5 * (ends.y + ends.z));
+}
+
+// The same of a cell that such a surface crosses: the surface is bilinear, and a corner that it has passed already has the light
+// that the others have.
+void cutAtSurface(inout TubeCell cell, vec4 ends, float first, float last) {
+    vec4 before = vec4(0.0);
+    vec4 after = vec4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        if (ends[i] > first) {
+            before += vec4(cell.shares[i].rgb, 1.0);
+            after += vec4(cell.shares[i + 4].rgb, 1.0);
+        }
+    }
+    for (int i = 0; i < 4; ++i) {
+        if (ends[i] <= first) {
+            cell.shares[i].rgb = before.rgb / max(before.w, 1.0);
+            cell.shares[i + 4].rgb = after.rgb / max(after.w, 1.0);
+        }
+        if (ends[i] < last) {
+            cell.corners[i + 4].w = distance(cell.corners[i].xyz, cell.corners[i + 4].xyz);
+        }
+        cell.litParts[i] = (ends[i] - first) / (last - first);
     }
 }
 #endif
@@ -147,7 +190,12 @@ void main() {
     TubeJob job = jobs[self / 4u];
     TubeCell cell = cellOf(job, self % 4u);
 #ifdef EFFECT_OPAQUE
-    cutAtMatter(cell);
+    vec4 ends = endsOf(job, self % 4u);
+    if (isOneSurface(ends)) {
+        cutAtSurface(cell, ends, float(firstStepOf(job)), float(lastStepOf(job)));
+    } else {
+        cutAtMatter(cell);
+    }
 #endif
     if (!hasLight(cell) || !meetsDomain(cell)) {
         return;

@@ -26,6 +26,9 @@ void countEvaluations(uint evaluations) {
 
 Particle stepped(Particle ray, uint stepCount, inout uint evaluations) {
     Particle after = advance(ray, float(stepCount) * settings.opticalStep);
+    if (after.status == PARTICLE_BLOCKED && ray.status != PARTICLE_BLOCKED) {
+        after.blockedAt = float(stepCount) + after.litPart;
+    }
     evaluations += after.status == PARTICLE_INSIDE ? 1u : 0u;
     return after;
 }
