@@ -25,8 +25,8 @@ constexpr double kTubeCellVoxels = 8.0;
 // Tubes interpolate between rays where patches that are not split deposit along them: they can stop at that many times the
 // power.
 constexpr double kTubeSplitVoxels = 10.0;
-// What tubes go by must fall faster than their error: on the glass sphere at 64³ that is 2.0 % where they go by 0.02, 1.7 % by
-// 0.01 and 1.2 % by 0.005.
+// What tubes go by must fall faster than their error: on the glass sphere at 64³ that is 1.8 % where they go by 0.02 and
+// 1.45 % by 0.005.
 constexpr double kLeastTubeShare = 0.5;
 constexpr std::uint32_t kRecordCapacity = 1u << 20;
 

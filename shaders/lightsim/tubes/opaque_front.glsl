@@ -1,5 +1,5 @@
 // The surface at which opaque matter ends light, over launch coordinates: neighbours meet it at different times, and while some
-// have and others have not, that is no shadow between them.
+// have and others have not, that is no shadow between them. Whoever includes this has the mesh's vertices.
 
 // Where rays end, in steps of the window; kNoEnd: not yet, or it is not known.
 const float kNoEnd = 1.0e9;

@@ -9,19 +9,23 @@ layout(local_size_x = BAKE_GROUP_SIZE) in;
 layout(std430, binding = TUBE_NODES_BINDING) readonly buffer NodeBlock { TubeNode nodes[]; };
 layout(std430, binding = TUBE_FRAMES_BINDING) readonly buffer FrameBlock { LaunchFrame frames[]; };
 layout(std430, binding = TUBE_VERTICES_BINDING) readonly buffer VertexBlock { TubeVertex vertices[]; };
-
 #include "lightsim/tubes/opaque_front.glsl"
 
 const float kPointShare = 5.0e-3;   // of the power that is not worth another ray
 
+// Of a sub-cell's four corners before its steps, in the order of TubeCell.
+uint cornerVertex(TubeJob job, uint quarter, uint corner) {
+    uint low = quarter % 2u + 3u * (quarter / 2u);
+    return nodes[job.node].vertices[low + corner % 2u + 3u * (corner / 2u)];
+}
+
 TubeCell cellOf(TubeJob job, uint quarter) {
     uint frameIndex = nodes[job.node].frameIndex;
     TubeCell cell;
-    uint low = quarter % 2u + 3u * (quarter / 2u);
     uint first = firstStepOf(job);
     uint last = lastStepOf(job);
     for (uint i = 0u; i < 4u; ++i) {
-        uint track = trackOf(nodes[job.node].vertices[low + i % 2u + 3u * (i / 2u)]);
+        uint track = trackOf(cornerVertex(job, quarter, i));
         float arc = 0.0;
         for (uint k = first + 1u; k <= last; ++k) {
             arc += positionAt(track + k).w;
@@ -68,9 +72,8 @@ void cutAtMatter(inout TubeCell cell) {
 #ifdef EFFECT_OPAQUE
 vec4 endsOf(TubeJob job, uint quarter) {
     vec4 ends;
-    uint low = quarter % 2u + 3u * (quarter / 2u);
     for (uint i = 0u; i < 4u; ++i) {
-        ends[i] = endOf(nodes[job.node].vertices[low + i % 2u + 3u * (i / 2u)]);
+        ends[i] = endOf(cornerVertex(job, quarter, i));
     }
     return ends;
 }
