@@ -37,6 +37,9 @@ TEST_P(ShippedScene, KeepsItsEnergy) {
     if (energy.at("emitted") == Json(std::vector<double>(energy.at("emitted").size(), 0.0))) {
         GTEST_SKIP() << "nothing shines";
     }
+    // The prism's beam is four voxels wide and fades over half a voxel: of each band eight samples a voxel know it to 1.4 %, at 0.02
+    // as at 0.05; 27, at 0.01, to 0.6 %.
+    const double gridShare = GetParam() == "prism" ? 0.02 : 0.005;
     for (std::size_t band = 0; band < energy.at("entered").size(); ++band) {
         const auto row = [&](const char* name) { return energy.at(name).at(band).get<double>(); };
         ASSERT_GT(row("entered"), 0.0);
@@ -45,7 +48,7 @@ TEST_P(ShippedScene, KeepsItsEnergy) {
         const double absorbedByMedium = row("absorbed") - row("absorbed_opaque") - row("absorbed_by_tint");
         // of the entered power, so that a scene in which next to nothing is absorbed is not judged by rounding
         EXPECT_NEAR(row("deposited_absorbed"), absorbedByMedium, 0.005 * absorbedByMedium + 1e-5 * row("entered"));
-        EXPECT_NEAR(row("deposited_scattered"), row("scattered"), 0.005 * row("scattered") + 1e-5 * row("entered"));
+        EXPECT_NEAR(row("deposited_scattered"), row("scattered"), gridShare * row("scattered") + 1e-5 * row("entered"));
     }
 }
 
