@@ -20,10 +20,11 @@ struct FrontPatch {
     glm::vec2 launchMin{0.0f}, launchMax{0.0f};
 };
 
-/// The fronts of all lights, as they stand at frame 0, at each of the times, in that order, at the reference wavelength; patches by their place on the launch surfaces. Only
-/// patches that reach into the domain, in which light still travels, and that are a surface: not those too weak to be split
-/// that have grown longer than the others may be. None where no light is left. Patches follow the scene's accuracy. Times
-/// must be positive. Of the options, maxBlockBytes is not used. Throws Error(kFailure) when interrupted.
+/// The fronts of all lights, as they stand at frame 0, at each of the times, in that order, at the reference wavelength;
+/// patches by their place on the launch surfaces. Only patches that reach into the domain, in which light still travels, and
+/// that are a surface: not those too weak to be split that have grown longer than the others may be. None where no light is
+/// left. Patches follow the scene's accuracy. Times must be positive. Of the options, maxBlockBytes is not used. Throws
+/// Error(kFailure) when interrupted.
 std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                  const EffectSet& effects, const std::vector<double>& opticalTimes,
                                  const BakeOptions& options);

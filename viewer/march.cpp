@@ -73,8 +73,8 @@ std::uint32_t lookUpsPerStep(const std::vector<std::string>& defines, Integrator
     return lookUps;
 }
 
-/// Loop iterations of a step or flight: those of the loops about it, those at a face and to a mirror, of each sample of matter one and those over the voxels about
-/// it, and of each look-up those over insets.
+/// Loop iterations of a step or flight: those of the loops about it, those at a face and to a mirror, of each sample of
+/// matter one and those over the voxels about it, and of each look-up those over insets.
 std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, const MarchSettings& settings) {
     constexpr std::uint32_t kVoxelsAbout = 8;
     constexpr std::uint32_t kLoopsAbout = 4;  // over events, flights and steps in turn, flights, steps
@@ -87,10 +87,20 @@ std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, const M
     return kLoopsAbout + kFaceTrials + toMirror + samples * (isAmong(defines, "LIGHT_LOBES") ? 1 + kVoxelsAbout : 1) + overInsets;
 }
 
+/// Whether rays bend and nothing else happens to them, in steps that free_steps.glsl knows.
+bool stepsFreely(const std::vector<std::string>& defines, const MarchSettings& settings) {
+    if (!isAmong(defines, "EFFECT_REFRACTION") || settings.integrator != Integrator::kLeapfrog) return false;
+    const auto isAny = [&](std::initializer_list<const char*> others) {
+        return std::any_of(others.begin(), others.end(), [&](const char* other) { return isAmong(defines, other); });
+    };
+    return !isAny({"EFFECT_ABSORPTION", "EFFECT_SCATTERING", "EFFECT_EMISSION", "EFFECT_REFLECTION", "EFFECT_OPAQUE", "INSETS"});
+}
+
 std::vector<std::string> withSteps(std::vector<std::string> defines, const MarchSettings& settings) {
     defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalfOf(settings)));
     if (settings.matterVoxels != 1.0) defines.push_back("MATTER_VOXELS " + std::to_string(settings.matterVoxels));
     if (const char* define = defineOf(settings.integrator)) defines.push_back(define);
+    if (stepsFreely(defines, settings)) defines.push_back("STEPS_FREELY");
     return defines;
 }
 
@@ -99,8 +109,9 @@ std::vector<std::string> withSteps(std::vector<std::string> defines, const March
 March::March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
              const Lattice& lattice)
     : defines_(defines), settings_(settings), lattice_(lattice),
-      first_(context, "viewer/march.comp.glsl", withSteps(defines, settings)),
-      onward_(context, "viewer/march_on.comp.glsl", withSteps(defines, settings)) {
+      onward_(context, stepsFreely(defines, settings) ? "viewer/march_freely.comp.glsl" : "viewer/march_on.comp.glsl",
+              withSteps(defines, settings)) {
+    if (!stepsFreely(defines, settings)) first_.emplace(context, "viewer/march.comp.glsl", withSteps(defines, settings));
     setInsets(settings.insets);
 }
 
@@ -126,7 +137,7 @@ void March::run(RayBatch& batch) const {
 
 void March::runSlice(RayBatch& batch, std::uint32_t slice) const {
     batch.lists.swap();
-    batch.lists.dispatch(slice == 0 ? first_ : onward_);
+    batch.lists.dispatch(slice == 0 && first_ ? *first_ : onward_);
 }
 
 } // namespace eikonal::viewer

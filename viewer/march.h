@@ -1,8 +1,10 @@
 #pragma once
 // Second step: rays through the domain, in slices of bounded length that end where something happens to a ray. The first slice
-// ends before any such step, which are rare; the others take it first.
+// ends before any such step, which are rare; the others take it first. Where nothing but the index acts on rays, one kernel
+// takes all slices.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,7 +48,8 @@ private:
     Lattice lattice_;
     std::uint32_t maxEvaluations_ = 0;
     std::uint32_t stepsPerSlice_ = 0;
-    gpu::Kernel first_, onward_;
+    std::optional<gpu::Kernel> first_;  ///< none where `onward_` takes the first slice too
+    gpu::Kernel onward_;
 };
 
 } // namespace eikonal::viewer

@@ -51,8 +51,9 @@ private:
 
 enum class TexelFormat { kR8, kRg8, kRgba8, kRg16, kRgba32f, kR32f };
 
-/// A texture with linear filtering, of one level unless means over ever larger squares are wanted. Volumes are clamped at their faces; images repeat along u and are clamped
-/// along v (latitude-longitude maps). Throws badInput if the size is beyond the device.
+/// A texture with linear filtering, of one level unless means over ever larger squares are wanted. Volumes are clamped at
+/// their faces; images repeat along u and are clamped along v (latitude-longitude maps). Throws badInput if the size is
+/// beyond the device.
 template <int kDimensions>
 class Texture {
 public:

@@ -30,7 +30,9 @@ public:
     void read(const DenseGrid<float>& opaque, BakedLight& light) const override;
     PatchCounts counts() const override { return counts_; }
     const gpu::Buffer& ledger() const override { return kernels_.ledger(); }
-    std::size_t bytes() const override { return kernels_.bytes() + sums_.bytes() + (detail_ ? detail_->bytes() : 0) + (eikonal_ ? eikonal_->bytes() : 0); }
+    std::size_t bytes() const override {
+        return kernels_.bytes() + sums_.bytes() + (detail_ ? detail_->bytes() : 0) + (eikonal_ ? eikonal_->bytes() : 0);
+    }
 
 private:
     void run(int begin, int end, const Deposits& deposits, const std::function<void(double)>& progress);

@@ -22,5 +22,5 @@ void main() {
         texel = sampleTrilinear(opticsGrid, x);
     }
     ray.radiance = texel.rgb;
-    storeRows(index, rowsOf(ray), 4, 5);
+    storeRows(index, rowsOf(ray), kSeenRow, kCrossingRow);
 }

@@ -4,9 +4,18 @@
 #include "shared/brick.h"
 #include "shared/domain_block.h"
 
+// Texture coordinate of a world position in grids on the domain's lattice, and back.
+vec3 coordinateOf(vec3 x) {
+    return (x - domain.min) * domain.scale;
+}
+
+vec3 placeOf(vec3 coordinate) {
+    return domain.min + coordinate / domain.scale;
+}
+
 // A grid on the domain's lattice at a world position.
 vec4 sampleGrid(sampler3D grid, vec3 x) {
-    return sampleTrilinear(grid, (x - domain.min) * domain.scale);
+    return sampleTrilinear(grid, coordinateOf(x));
 }
 
 struct Optics {
@@ -50,21 +59,21 @@ ivec3 voxelAbout(vec3 x, sampler3D grid) {
 #ifdef EFFECT_REFRACTION
 layout(binding = kUnitOptics) uniform sampler3D opticsGrid;
 
-// grad n in rgb [1 / scene unit], n in alpha.
+// At a texture coordinate: grad n in rgb [1 / scene unit], n in alpha.
 #ifdef CUBIC_INTERPOLATION
 #include "fields/spline.glsl"
 
 // Positions beyond the outermost voxels' centres count as on them, as with a clamped texture.
-vec4 fetchOptics(vec3 x) {
+vec4 fetchOptics(vec3 coordinate) {
     vec3 last = vec3(domain.size - 1);
-    vec3 place = clamp((x - domain.min) / domain.voxel - 0.5, vec3(0.0), last);
+    vec3 place = clamp(coordinate * vec3(domain.size) - 0.5, vec3(0.0), last);
     vec3 first = min(floor(place), max(last - 1.0, vec3(0.0)));
     vec4 spline = sampleSpline(opticsGrid, ivec3(first), place - first);
     return vec4(spline.rgb / domain.voxel, spline.a);
 }
 #else
-vec4 fetchOptics(vec3 x) {
-    return sampleGrid(opticsGrid, x);
+vec4 fetchOptics(vec3 coordinate) {
+    return sampleTrilinear(opticsGrid, coordinate);
 }
 #endif
 #endif
@@ -76,29 +85,44 @@ bool hasMetDispersion = false;
 // grad B in rgb, Cauchy's B in alpha. Where B is in proportion to n - 1 everywhere, as with one glass in air, it needs no
 // texture: domain.dispersion has the factor.
 #ifdef DISPERSION_BY_REFRACTIVITY
-vec4 sampleCauchy(vec3 x, vec4 optics) {
+vec4 fetchCauchy(vec3 coordinate, vec4 optics) {
     return vec4(optics.rgb, optics.a - 1.0);
 }
 #else
 layout(binding = kUnitDispersion) uniform sampler3D dispersionGrid;
 
-vec4 sampleCauchy(vec3 x, vec4 optics) {
-    return sampleGrid(dispersionGrid, x);
+vec4 fetchCauchy(vec3 coordinate, vec4 optics) {
+    return sampleTrilinear(dispersionGrid, coordinate);
 }
 #endif
 
 // At the wavelength of the dispatch.
-Optics sampleOptics(vec3 x) {
-    vec4 below = fetchOptics(x);
-    vec4 cauchy = overDomain(x, sampleCauchy(x, below), kInsetDispersion);
-    vec4 texel = overDomain(x, below, kInsetIndex);
+Optics opticsOf(vec4 texel, vec4 cauchy) {
     hasMetDispersion = hasMetDispersion || cauchy != vec4(0.0);
     return Optics(dispersedIndex(texel.a, cauchy.a, domain.dispersion),
                   dispersedGradient(texel.rgb, cauchy.rgb, domain.dispersion));
 }
+
+Optics sampleOptics(vec3 x) {
+    vec4 below = fetchOptics(coordinateOf(x));
+    vec4 cauchy = fetchCauchy(coordinateOf(x), below);
+    return opticsOf(overDomain(x, below, kInsetIndex), overDomain(x, cauchy, kInsetDispersion));
+}
+
+// Of the domain's own grids alone, at a texture coordinate.
+Optics domainOptics(vec3 coordinate) {
+    vec4 texel = fetchOptics(coordinate);
+    return opticsOf(texel, fetchCauchy(coordinate, texel));
+}
 #elif defined(EFFECT_REFRACTION)
 Optics sampleOptics(vec3 x) {
-    vec4 texel = overDomain(x, fetchOptics(x), kInsetIndex);
+    vec4 texel = overDomain(x, fetchOptics(coordinateOf(x)), kInsetIndex);
+    return Optics(texel.a, texel.rgb);
+}
+
+// Of the domain's own grid alone, at a texture coordinate.
+Optics domainOptics(vec3 coordinate) {
+    vec4 texel = fetchOptics(coordinate);
     return Optics(texel.a, texel.rgb);
 }
 #else

@@ -43,16 +43,25 @@ const uint kNoRay = 6u;       // a place for a reflection's ray that is free
 // In place of a band's channel: the pass at the reference wavelength.
 const uint kAllChannels = 3u;
 
-// A ray under way. Radiance is basic radiance, L/n^2, until the shade stage makes a pixel's of it.
+// A ray under way, what a march changes most often first (viewer/ray_rows.glsl). Radiance is basic radiance, L/n^2,
+// until the shade stage makes a pixel's of it.
 struct RayState {
     vec3 x;               // position [scene units]
     float pathLength;     // inside the domain [scene units]
     vec3 w;               // wave vector
     float opticalLength;  // integral of n over the path [scene units]
-    vec3 depth;           // optical depth of extinction by band
-    uint evaluations;     // of the index field
-    vec3 transmittance;   // exp(-depth)
+    float n;              // index at the last evaluation
     uint status;
+    uint evaluations;     // of the index field
+    uint lookUps;         // of the clearance ahead
+    float lookAgainAt;    // path length at which the next look-up may find something [scene units]
+    uint matterSamples;   // of absorption, scattering and emission
+    uint dispersed;       // 1: it has been where the index depends on the wavelength
+    uint generation;      // mirrors on its way from the camera
+    vec3 depth;           // optical depth of extinction by band
+    float nCamera;        // index where the ray starts
+    vec3 transmittance;   // exp(-depth)
+    float entryDistance;  // from the start to the domain [scene units]
     vec3 radiance;
     float throughputS;    // Fresnel transmittances so far, by polarisation
     vec3 crossingNormal;  // the boundary under way (physics/boundary.glsl); shaded: of the surface at the ray's end, or 0
@@ -61,14 +70,6 @@ struct RayState {
     float crossingStart;
     float crossingWeight; // times Crossing::sideAtStart
     float crossingAlong;
-    float n;              // index at the last evaluation
-    float nCamera;        // index where the ray starts
-    float entryDistance;  // from the start to the domain [scene units]
-    uint lookUps;         // of the clearance ahead
-    float lookAgainAt;    // path length at which the next look-up may find something [scene units]
-    uint matterSamples;   // of absorption, scattering and emission
-    uint dispersed;       // 1: it has been where the index depends on the wavelength
-    uint generation;      // mirrors on its way from the camera
 };
 
 struct RayListHead {
@@ -142,8 +143,8 @@ struct ViewBlock {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RayState) == 144 && offsetof(RayState, crossingGradMax) == 96);
-static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, depth) == 32 && offsetof(RayState, status) == 60);
+static_assert(sizeof(RayState) == 144 && offsetof(RayState, crossingGradMax) == 128);
+static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, status) == 36 && offsetof(RayState, depth) == 64);
 static_assert(sizeof(RayListHead) == 16);
 static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 80);
 // The rows of viewer/film_pixels.glsl.
@@ -152,7 +153,8 @@ static_assert(offsetof(FilmPixel, depth) == 32 && offsetof(FilmPixel, opticalLen
 static_assert(offsetof(FilmPixel, halfLuminance) == 60 && offsetof(FilmPixel, normal) == 64);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
-static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304 && offsetof(ViewBlock, sampleShare) == 352 && sizeof(ViewBlock) == 368);
+static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304);
+static_assert(offsetof(ViewBlock, sampleShare) == 352 && sizeof(ViewBlock) == 368);
 
 } // namespace eikonal::gpu
 #else

@@ -120,9 +120,19 @@ void flyAhead(inout RayState ray, inout uint left) {
     } while (looks);
 }
 
-// After an evaluation in the middle of a step of length ds: where the index varies, the step's end is no place to look.
-void noteBend(inout RayState ray, vec3 gradN, float ds) {
-    if (dot(gradN, gradN) > view.negligibleGradient * view.negligibleGradient) {
+bool isBend(vec3 gradN) {
+    return dot(gradN, gradN) > view.negligibleGradient * view.negligibleGradient;
+}
+
+// Steps of length ds before the ray's end is a place to look from, if none of them bends it.
+uint stepsBeforeLook(RayState ray, float ds) {
+    const float kMost = 1.0e9;
+    return uint(clamp(ceil((ray.lookAgainAt - ray.pathLength) / ds), 0.0, kMost));
+}
+
+// Before what lies along a step of length ds is passed: where it bends the ray, its end is no place to look.
+void noteBend(inout RayState ray, bool bends, float ds) {
+    if (bends) {
         ray.lookAgainAt = max(ray.lookAgainAt, ray.pathLength + 1.01 * ds);
     }
 }
@@ -133,7 +143,15 @@ bool looksAhead(RayState ray) {
     return false;
 }
 
+bool isBend(vec3 gradN) {
+    return false;
+}
+
+uint stepsBeforeLook(RayState ray, float ds) {
+    return 0xffffffffu;
+}
+
 void flyAhead(inout RayState ray, inout uint left) {}
-void noteBend(inout RayState ray, vec3 gradN, float ds) {}
+void noteBend(inout RayState ray, bool bends, float ds) {}
 
 #endif

@@ -82,13 +82,15 @@ RayState initialRay(uint index) {
 #endif
 }
 
+// What is to be listed of a ray.
+uint generateRay(uint index) {
+    RayState ray = passVacuum(enterDomain(initialRay(index)));
+    storeWholeRay(index, ray);
+    return ray.status == kMarching ? index | kIsPlain : kNoEntry;
+}
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index < view.rayCount && isFollowed(loadRay(index))) {
-        RayState ray = passVacuum(enterDomain(initialRay(index)));
-        storeWholeRay(index, ray);
-        if (ray.status == kMarching) {
-            listRay(index | kIsPlain);
-        }
-    }
+    bool generates = index < view.rayCount && isFollowed(loadRay(index));
+    listRays(generates ? generateRay(index) : kNoEntry);
 }

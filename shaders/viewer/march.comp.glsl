@@ -1,15 +1,16 @@
 // The first slice of rays through the domain: a stretch of each, up to a step in which something happens.
 #include "viewer/stretch.glsl"
 
-void main() {
-    if (!isListed()) {
-        return;
-    }
-    rayIndex = listedEntry() & ~kIsPlain;
+uint march(uint entry) {
+    rayIndex = entry & ~kIsPlain;
     RayState ray = loadRay(rayIndex);
     loadBoundary();
     stopInsideOpaque(ray);
     uint left = view.stepsPerSlice;
     bool eventful = followStretch(ray, left);
-    passOn(ray, eventful);
+    return passOn(ray, eventful);
+}
+
+void main() {
+    listRays(isListed() ? march(listedEntry()) : kNoEntry);
 }

@@ -5,11 +5,7 @@
 // So many rays do not fill a device. They go on from event to event, for nothing is won by listing them anew.
 const uint kFewRays = 1024u;
 
-void main() {
-    if (!isListed()) {
-        return;
-    }
-    uint entry = listedEntry();
+uint marchOn(uint entry) {
     rayIndex = entry & ~kIsPlain;
     RayState ray = loadRay(rayIndex);
     loadBoundary();
@@ -23,5 +19,9 @@ void main() {
         }
         eventful = followStretch(ray, left);
     } while (goesOn && eventful && left > 0u);
-    passOn(ray, eventful);
+    return passOn(ray, eventful);
+}
+
+void main() {
+    listRays(isListed() ? marchOn(listedEntry()) : kNoEntry);
 }

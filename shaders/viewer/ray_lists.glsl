@@ -15,11 +15,30 @@ layout(std430, binding = kStorageFilledRays) buffer FilledRays {
 // needs care.
 const uint kIsPlain = 0x80000000u;
 
-void listRay(uint entry) {
-    uint place = atomicAdd(filledHead.count, 1u);
-    filledRays[place] = entry;
-    if (place % uint(kRaysPerGroup) == 0u) {
-        atomicAdd(filledHead.groups[0], 1u);
+// What an invocation says that lists no ray.
+const uint kNoEntry = 0xffffffffu;
+
+shared uint listedOfGroup;  // entries
+shared uint placeOfGroup;   // of the first one
+
+// To be called once by every invocation of the group. Its entries follow each other in the list, so that rays stay beside those
+// of their neighbours in the picture, which go the same way.
+void listRays(uint entry) {
+    bool isFirst = gl_LocalInvocationIndex == 0u;
+    if (isFirst) {
+        listedOfGroup = 0u;
+    }
+    barrier();
+    uint place = entry == kNoEntry ? 0u : atomicAdd(listedOfGroup, 1u);
+    barrier();
+    if (isFirst && listedOfGroup > 0u) {
+        placeOfGroup = atomicAdd(filledHead.count, listedOfGroup);
+        uint groups = (placeOfGroup + listedOfGroup + uint(kRaysPerGroup) - 1u) / uint(kRaysPerGroup);
+        atomicMax(filledHead.groups[0], groups);
+    }
+    barrier();
+    if (entry != kNoEntry) {
+        filledRays[placeOfGroup + place] = entry;
     }
 }
 

@@ -35,7 +35,8 @@ RayState rayFrom(Reflection from, uint dispersed) {
     return ray;
 }
 
-void nextRound(uint index) {
+// What is to be listed of the ray.
+uint nextRound(uint index) {
     RayState ended = loadRay(index);
     if (ended.status != kNoRay) {
         gather(index, ended);
@@ -46,7 +47,7 @@ void nextRound(uint index) {
         storeWholeRay(index, ended);
         reflections[index].facets = 0u;
         reflections[index].spread = 0.0;
-        return;
+        return kNoEntry;
     }
     Reflection from = reflections[index].list[waiting - 1u];
     storeWholeRay(index, rayFrom(from, directRays[index].dispersed));
@@ -55,12 +56,10 @@ void nextRound(uint index) {
     reflections[index].startX = from.x;
     reflections[index].startW = from.w;
     reflections[index].startTransmittance = from.transmittance;
-    listRay(index | kIsPlain);
+    return index | kIsPlain;
 }
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index < view.rayCount) {
-        nextRound(index);
-    }
+    listRays(index < view.rayCount ? nextRound(index) : kNoEntry);
 }

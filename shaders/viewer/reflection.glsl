@@ -46,21 +46,21 @@ void storeBoundary() {
 
 #ifdef EFFECT_ROUGHNESS
 #include "viewer/rough_boundary.glsl"
+#endif
 
 float raySpread() {
+#ifdef EFFECT_ROUGHNESS
     return reflections[rayIndex].spread;
+#else
+    return 0.0;
+#endif
 }
 
 void spreadRay(float more) {
+#ifdef EFFECT_ROUGHNESS
     reflections[rayIndex].spread += more;
-}
-#else
-float raySpread() {
-    return 0.0;
-}
-
-void spreadRay(float more) {}
 #endif
+}
 
 // How the boundary that ends with wave vector w at index nEnd splits light.
 BoundarySplit splitAt(Crossing crossing, vec3 w, float nEnd) {

@@ -25,8 +25,8 @@ BoundarySplit roughSplit(Crossing crossing, vec3 w, float nEnd, float roughness)
     vec2 uniform01 = nextUniform();
     vec3 against = -crossing.sideAtStart * crossingNormal(crossing);
     vec3 incident = crossingIncident(crossing, w);
-    BoundarySplit split =
-        splitAtFacet(incident, against, crossing.nStart, nEnd, alphaOfRoughness(roughness), uniform01.x, uniform01.y, view.sampleShare);
+    BoundarySplit split = splitAtFacet(incident, against, crossing.nStart, nEnd, alphaOfRoughness(roughness), uniform01.x,
+                                       uniform01.y, view.sampleShare);
     split.onward = length(w) * normalize(w + split.onward - refractedWave(incident, against, nEnd));
     return split;
 }

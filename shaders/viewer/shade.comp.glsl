@@ -85,5 +85,5 @@ void main() {
     vec3 basic = ray.radiance + rayThroughput(ray) * radianceBehind(ray, normal, raySpread(index));
     ray.crossingNormal = normal;
     ray.radiance = ray.nCamera * ray.nCamera * basic;
-    storeRows(index, rowsOf(ray), 4, 6);
+    storeRows(index, rowsOf(ray), kSeenRow, kCrossingRow + 1);
 }

@@ -94,7 +94,7 @@ void move(inout RayState ray, Step taken) {
     ray.x = taken.end;
     ray.w = taken.wEnd;
     ray.n = taken.optics.n;
-    noteBend(ray, taken.optics.gradN, taken.first + taken.second);
+    noteBend(ray, isBend(taken.optics.gradN), taken.first + taken.second);
 }
 
 // What marching changes.
@@ -104,13 +104,18 @@ void storeRay(RayState marched) {
     ray.dispersed |= uint(hasMetDispersion);
 #endif
     RayRows rows = rowsOf(ray);
-    storeRows(rayIndex, rows, 0, 4);
+    storeRows(rayIndex, rows, 0, kCourseRow);
+#if defined(STRAIGHT_FLIGHTS) || defined(EFFECT_DISPERSION) || defined(MATTER)
+    storeRows(rayIndex, rows, kCourseRow, kMatterRow);
+#endif
+#ifdef MATTER
+    storeRows(rayIndex, rows, kMatterRow, kSeenRow);
+#endif
 #if defined(MATTER) || defined(EFFECT_REFLECTION)
-    storeRows(rayIndex, rows, 4, 5);
+    storeRows(rayIndex, rows, kSeenRow, kCrossingRow);
 #endif
 #ifdef EFFECT_REFLECTION
-    storeRows(rayIndex, rows, 5, 7);
+    storeRows(rayIndex, rows, kCrossingRow, kRowsPerRay);
 #endif
-    storeRows(rayIndex, rows, 7, kRowsPerRay);
     storeBoundary();
 }

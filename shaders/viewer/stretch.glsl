@@ -8,34 +8,15 @@ bool isPlain(RayState ray, uint left) {
     return left > 0u && ray.status == kMarching && !looksAhead(ray);
 }
 
-// Steps until something happens in one, which is not taken then: true. Or the ray may fly, or has come to the slice's end.
-bool stepAlong(inout RayState ray, inout uint left) {
-    bool eventful = false;
-    uint most = min(left, (evaluationsLeft(ray) + kEvaluationsPerStep - 1u) / kEvaluationsPerStep);
-    uint taken = 0u;
-    if (isPlain(ray, most)) {
-        float perW = 1.0 / length(ray.w);
-        do {
-            float ds = usualStepAt(ray.x);
-            RayStep onward = stepRay(Ray(ray.x, ray.w), perW, ds);
-            Step next = stepOf(ray, onward, ds);
-            if (isEventful(ray, next)) {
-                eventful = true;
-                break;
-            }
-            taken += 1u;
-            perW = onward.perW;
-            move(ray, next);
-            followBoundary(ray, next);
-            passStep(ray, next);
-            endFaintRay(ray);
-        } while (isPlain(ray, most - taken));
-    }
-    left -= taken;
-    ray.evaluations += (taken + uint(eventful)) * kEvaluationsPerStep;
-    endRay(ray);
-    return eventful;
+uint stepsLeft(RayState ray, uint left) {
+    return min(left, (evaluationsLeft(ray) + kEvaluationsPerStep - 1u) / kEvaluationsPerStep);
 }
+
+#ifdef STEPS_FREELY
+#include "viewer/free_steps.glsl"
+#else
+#include "viewer/plain_steps.glsl"
+#endif
 
 // At most `left` flights and steps. Whether something happens in the next step; else the ray or the slice has ended.
 bool followStretch(inout RayState ray, inout uint left) {
@@ -47,10 +28,8 @@ bool followStretch(inout RayState ray, inout uint left) {
     return eventful;
 }
 
-// To be taken by the next slice, if the ray is still under way.
-void passOn(RayState ray, bool eventful) {
+// What is to be listed for the next slice.
+uint passOn(RayState ray, bool eventful) {
     storeRay(ray);
-    if (ray.status == kMarching) {
-        listRay(eventful ? rayIndex : rayIndex | kIsPlain);
-    }
+    return ray.status != kMarching ? kNoEntry : eventful ? rayIndex : rayIndex | kIsPlain;
 }

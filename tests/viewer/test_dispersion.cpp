@@ -160,7 +160,8 @@ TEST(DispersedTrace, WavelengthsOfAnInputKeepItsOrder) {
     const auto points = tracePaths(test::sharedContext(), fields, effects, scene.accuracy, mixed);
     EXPECT_EQ(points.front().ray, 0u);
     EXPECT_EQ(points.back().ray, 3u);
-    EXPECT_EQ(points.back().at.direction, results[3].direction);
+    // paths are cut into slices of one step, which rounds some dozens of times more
+    EXPECT_LT(glm::distance(points.back().at.direction, results[3].direction), 1e-6);
 }
 
 } // namespace

@@ -55,6 +55,12 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"RAYS_GIVEN"}));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset, {"LENS"}));
     }
+    for (const std::vector<std::string>& alone :
+         {std::vector<std::string>{}, {"EFFECT_DISPERSION"}, {"CUBIC_INTERPOLATION"}, {"STRAIGHT_FLIGHTS"},
+          {"EFFECT_DISPERSION", "DISPERSION_BY_REFRACTIVITY", "STRAIGHT_FLIGHTS"}, {"MANUAL_FILTERING"}}) {
+        rows.push_back(test::variant("viewer/march_freely.comp.glsl",
+                                     {"EFFECT_REFRACTION", "STEPS_FREELY", "SAMPLES_PER_HALF 0"}, alone));
+    }
     for (const char* integrator : {"INTEGRATOR_EULER", "INTEGRATOR_RK4", "INTEGRATOR_SHARMA"}) {
         rows.push_back(test::variant("viewer/march.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));
         rows.push_back(test::variant("viewer/march_on.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));

@@ -173,11 +173,35 @@ TEST(Trace, PathsEndWhereRaysEndWhateverTheSlices) {
     for (const TracePoint& point : points) last[point.ray] = &point.at;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         ASSERT_NE(last[i], nullptr);
-        EXPECT_EQ(last[i]->position, ends[i].position) << "slices of one step must change no bit";
-        EXPECT_EQ(last[i]->direction, ends[i].direction);
-        EXPECT_EQ(last[i]->opticalLength, ends[i].opticalLength);
+        // A slice's end cuts a drift that is else taken in one: some 60 roundings of single precision more.
+        constexpr double kRounding = 1e-6;
+        EXPECT_LT(glm::distance(last[i]->position, ends[i].position), kRounding);
+        EXPECT_LT(glm::distance(last[i]->direction, ends[i].direction), kRounding);
+        EXPECT_NEAR(last[i]->opticalLength, ends[i].opticalLength, kRounding * ends[i].opticalLength);
         EXPECT_EQ(last[i]->evaluations, ends[i].evaluations);
     }
+}
+
+TEST(Trace, RaysThatOnlyBendGoTheWayOfThoseInMatter) {
+    const Lattice lattice = test::cube(32, 1.0);
+    Fields fields = test::indexFields(lattice, [](const glm::dvec3& x) { return 1.5 + 0.3 * x.x - 0.2 * x.y * x.z; });
+    auto rays = parallelRays(1.6, 300, {0.7, -0.5, 0.6}, 3.0);  // past edges and corners too
+    for (const TraceRay& along : parallelRays(0.99, 100, {1.0, 0.0, 0.02}, 3.0)) rays.push_back(along);
+    const auto free = traced(fields, rays);
+    fields.sigmaA = test::boxGrid(lattice, glm::dvec3(-1.0), glm::dvec3(1.0), glm::vec3(1e-6f));  // other kernels, the same way
+    const auto plain = traced(fields, rays);
+    int entered = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        constexpr double kRounding = 2e-6;  // of some 60 steps in single precision, in other orders
+        constexpr double kAlong = 1e-5;     // as far as that moves the place where a ray leaves by a face that it grazes
+        ASSERT_EQ(free[i].status, plain[i].status);
+        EXPECT_LT(glm::distance(free[i].position, plain[i].position), kAlong) << i;
+        EXPECT_LT(glm::distance(free[i].direction, plain[i].direction), kRounding) << i;
+        EXPECT_NEAR(free[i].length, plain[i].length, kAlong) << i;
+        EXPECT_NEAR(free[i].opticalLength, plain[i].opticalLength, 2.0 * kAlong) << i;
+        entered += free[i].status == TraceStatus::kExited ? 1 : 0;
+    }
+    EXPECT_GT(entered, 200);
 }
 
 TEST(Trace, StraightRaysKeepDirectionAndMeasureTheBox) {

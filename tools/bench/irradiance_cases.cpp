@@ -89,7 +89,8 @@ IrradianceCase interfaceCase(int resolution) {
     const PointLight light{{-0.6, 0.017, -0.023}, glm::dvec3(10.0), {}};
     const auto rho = [light](const glm::dvec3& x) { return std::hypot(x.y - light.position.y, x.z - light.position.z); };
     const double steepest = plane.behind * std::sqrt(0.75);  // 60° from the normal
-    // where the index is that of glass to 3e-5, without the outermost voxels, which tubes fill in part where the domain's silhouette clips them
+    // where the index is that of glass to 3e-5, without the outermost voxels, which tubes fill in part where the domain's
+    // silhouette clips them
     const double last = 1.0 - lattice.voxel;
     DenseGrid<double> truth = cubeMeans(
         lattice,

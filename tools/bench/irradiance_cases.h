@@ -16,8 +16,8 @@ struct IrradianceCase {
     DenseGrid<double> truth;  ///< means over voxels' cubes, first band; 0 where nothing is compared
 };
 
-/// Point light in vacuum, Luneburg's lens, point light in a fish-eye and before plane glass: exact. A smoothed glass sphere: very many rays in double
-/// precision through the closed form of its index. At a resolution in voxels along the box's edge.
+/// Point light in vacuum, Luneburg's lens, point light in a fish-eye and before plane glass: exact. A smoothed glass sphere:
+/// very many rays in double precision through the closed form of its index. At a resolution in voxels along the box's edge.
 std::vector<IrradianceCase> irradianceCases(int resolution);
 
 } // namespace eikonal::bench

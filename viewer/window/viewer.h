@@ -26,8 +26,8 @@ struct ViewOptions {
     std::function<void(const std::filesystem::path&, const Scene&, const Fields&, const BakeResult&)> saveLight;
 };
 
-/// Opens the window and returns, with how quickly it answered, when it is closed. Throws Error(kNoDevice) without display or OpenGL 4.5, badInput for a
-/// scene or recording that cannot be read.
+/// Opens the window and returns, with how quickly it answered, when it is closed. Throws Error(kNoDevice) without display or
+/// OpenGL 4.5, badInput for a scene or recording that cannot be read.
 ResponseRecord viewScene(const ViewOptions& options);
 
 } // namespace eikonal::window
