@@ -47,7 +47,7 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
 
 TubeKernels::DepositKernels::DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines)
     : gather(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
-      points(context, "lightsim/tubes/deposit_points.comp.glsl", defines),
+      lines(context, "lightsim/tubes/deposit_lines.comp.glsl", defines),
       rays(context, "lightsim/tubes/deposit_rays.comp.glsl", defines) {}
 
 const TubeKernels::DepositKernels& TubeKernels::depositKernels(const VoxelSums& sums) {
@@ -169,7 +169,7 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& de
     deposits.light.bind();
     parts_.bindStorage(TUBE_PARTS_BINDING);
     const DepositKernels& into = depositKernels(deposits.light);
-    const gpu::Kernel* kernels[TUBE_DEPOSIT_LISTS] = {&into.gather, &into.points, &into.rays};
+    const gpu::Kernel* kernels[TUBE_DEPOSIT_LISTS] = {&into.gather, &into.lines, &into.rays};
     for (std::size_t list = 0; list < TUBE_DEPOSIT_LISTS; ++list) {
         dispatchList(*kernels[list], list);
     }

@@ -63,7 +63,7 @@ public:
 private:
     /// One for each list of parts, in the order of the lists.
     struct DepositKernels {
-        gpu::Kernel gather, points, rays;
+        gpu::Kernel gather, lines, rays;
 
         DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines);
     };

@@ -116,13 +116,13 @@ struct TubeCell {
     vec4 shares[8];   // share of the launched power that is left at the corners, by band
     vec4 volumes[2];  // at the corners: root of the volume per u, v and t over the relative power there [voxels^(3/2)]
     vec3 power;       // launched into the sub-cell, by band
-    float pointPower; // power x length that need not be split into more points [x voxels]
+    float linePower; // power x length that need not be split into more lines [x voxels]
     vec4 litParts;    // of the steps at the corners: what lies in front of opaque matter
 };
 
 // Lists of the parts of cells that are deposited alike, TUBE_LIST_PARTS entries each; they follow in the block.
 #define TUBE_GATHER_LIST 0
-#define TUBE_POINT_LIST 1
+#define TUBE_LINE_LIST 1
 #define TUBE_RAY_LIST 2
 #define TUBE_DEPOSIT_LISTS 3
 #define TUBE_EVEN_LIST 3      // cells, by their first part: volumes and parts are still to come
@@ -173,7 +173,7 @@ static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRR
 static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
 static_assert(offsetof(TubeCell, shares) == 8 * 16 && offsetof(TubeCell, volumes) == 16 * 16);  // rows of cell_rows.glsl
-static_assert(offsetof(TubeCell, power) == 18 * 16 && offsetof(TubeCell, pointPower) == 18 * 16 + 12);
+static_assert(offsetof(TubeCell, power) == 18 * 16 && offsetof(TubeCell, linePower) == 18 * 16 + 12);
 static_assert(offsetof(TubeCell, litParts) == 19 * 16 && sizeof(TubeCell) == 20 * 16);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
 static_assert(sizeof(TubeCell) == 320 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 96 && sizeof(TubeSettings) == 48);

@@ -44,11 +44,11 @@ std::vector<KernelVariant> variants() {
             rows.push_back(test::variant("lightsim/tubes/eikonal.comp.glsl", subset, {"BANDS 3", list}));
         }
     }
-    for (const char* kernel : {"measure_edges", "measure_nodes", "deposit_gather", "deposit_points", "deposit_rays", "tally"}) {
+    for (const char* kernel : {"measure_edges", "measure_nodes", "deposit_gather", "deposit_lines", "deposit_rays", "tally"}) {
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3", "FOLLOW_REFLECTIONS"}});
     }
     for (const char* bands : {"BANDS 1", "BANDS 3"}) {
-        for (const char* kernel : {"deposit_gather", "deposit_points", "deposit_rays"}) {
+        for (const char* kernel : {"deposit_gather", "deposit_lines", "deposit_rays"}) {
             for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION", "EFFECT_OPAQUE", "LIGHT_LOBES"})) {
                 rows.push_back(test::variant("lightsim/tubes/" + std::string(kernel) + ".comp.glsl", subset, {bands}));
             }

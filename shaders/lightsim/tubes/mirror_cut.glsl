@@ -14,6 +14,22 @@ bool isPastMirror(uint cell, vec3 at) {
 #endif
 }
 
+// The part of the steps at a place (u, v) of a cell that lies before the mirror; below 0 or above 1 where it is met before or after.
+float partBeforeMirrorAt(uint cell, vec2 at) {
+#ifdef FOLLOW_REFLECTIONS
+    vec4 first, last;
+    for (int i = 0; i < 4; ++i) {
+        first[i] = shareOf(cell, i).w;
+        last[i] = shareOf(cell, i + 4).w;
+    }
+    float before = mix(mix(first.x, first.y, at.x), mix(first.z, first.w, at.x), at.y);
+    float after = mix(mix(last.x, last.y, at.x), mix(last.z, last.w, at.x), at.y);
+    return before / min(before - after, -1.0e-6);
+#else
+    return 0.0;
+#endif
+}
+
 // The part of the steps along a corner of a cell that lies before the mirror.
 float partBeforeMirror(uint cell, int corner) {
 #ifdef FOLLOW_REFLECTIONS

@@ -1,7 +1,7 @@
 // What sorts cells and their parts into the lists of those that are deposited alike.
 // A part is gathered, voxel by voxel, if irradiance changes little from one sample to the next: that is the error of taking
 // a voxel's mean from samples. Where it changes more, near folds and foci, the part is small in space, for the light is
-// compressed there, and points of power x length are splatted. Each kernel looks at one kind of thing, for invocations that run
+// compressed there, and lines along it carry its power x length. Each kernel looks at one kind of thing, for invocations that run
 // together wait for the one that has most to do.
 #include "lightsim/tubes/tubes.glsl"
 #include "lightsim/tubes/cell.glsl"
@@ -15,10 +15,10 @@ layout(std430, binding = TUBE_SORT_PARTS_BINDING) buffer PartBlock {
 };
 
 const float kLongestPart = 4.0;     // [voxels]: bounds the voxels that a gather looks at
-const float kLongestPoints = 1.0;   // [voxels]: uneven cells are cut to that, so that their even parts can be gathered
+const float kLongestUneven = 1.0;   // [voxels]: uneven cells are cut to that, so that their even parts can be gathered
 const int kMostLogCuts = 3;         // along each axis
 const float kFolded = 1.0e9;        // unevenness where the map turns inside out
-// Of the volume that a sample stands for: parts smaller than that are points, whatever their irradiance does, so that no
+// Of the volume that a sample stands for: parts smaller than that are lines, whatever their irradiance does, so that no
 // sample can be worth many times what its part carries.
 const float kLeastVolume = 1.0 / 64.0;
 
@@ -81,7 +81,7 @@ bool isGathered(Trilinear map, vec3 unevenness) {
            volume > kLeastVolume * spacing * spacing * spacing;
 }
 
-// Cuts that make parts at most kLongestPart long, and unless they go `together` to kLongestPoints, so that even ones can be
+// Cuts that make parts at most kLongestPart long, and unless they go `together` to kLongestUneven, so that even ones can be
 // gathered. A part's length decides first; there are at most TUBE_MAX_PARTS of a cell.
 ivec3 logCutsOf(vec3 extents, bool together) {
     ivec3 logCuts = ivec3(0);
@@ -90,7 +90,7 @@ ivec3 logCutsOf(vec3 extents, bool together) {
         vec3 lengths = extents / vec3(1 << logCuts.x, 1 << logCuts.y, 1 << logCuts.z);
         int axis = lengths.x >= lengths.y ? (lengths.x >= lengths.z ? 0 : 2) : (lengths.y >= lengths.z ? 1 : 2);
         bool tooLong = lengths[axis] > kLongestPart;
-        bool uneven = !together && lengths[axis] > kLongestPoints;
+        bool uneven = !together && lengths[axis] > kLongestUneven;
         if (logCuts[axis] < kMostLogCuts && (tooLong || (uneven && total < 3))) {
             ++logCuts[axis];
             ++total;
@@ -116,7 +116,7 @@ void listPart(uint list, uint packed_) {
     atomicMax(header.lists[list].groups.x, place / BAKE_GROUP_SIZE + 1u);
 }
 
-// A cell that is not even: part by part, or as points if its node is not resolved anyway, for want of power.
+// A cell that is not even: part by part, or as lines if its node is not resolved anyway, for want of power.
 void listUneven(uint cell, bool weak, vec3 extents) {
-    listParts(weak ? TUBE_POINT_LIST : TUBE_UNEVEN_LIST, cell, logCutsOf(extents, weak));
+    listParts(weak ? TUBE_LINE_LIST : TUBE_UNEVEN_LIST, cell, logCutsOf(extents, weak));
 }

@@ -11,7 +11,7 @@ layout(std430, binding = TUBE_FRAMES_BINDING) readonly buffer FrameBlock { Launc
 layout(std430, binding = TUBE_VERTICES_BINDING) readonly buffer VertexBlock { TubeVertex vertices[]; };
 #include "lightsim/tubes/opaque_front.glsl"
 
-const float kPointShare = 5.0e-3;   // of the power that is not worth another ray
+const float kLineShare = 5.0e-3;   // of the power that is not worth another ray
 
 // Of a sub-cell's four corners before its steps, in the order of TubeCell.
 uint cornerVertex(TubeJob job, uint quarter, uint corner) {
@@ -40,7 +40,7 @@ TubeCell cellOf(TubeJob job, uint quarter) {
     cell.corners[1].w = pathBefore + float(last) * settings.opticalStep;
     cell.volumes[0] = cell.volumes[1] = vec4(TUBE_OWN_VOLUME);
     cell.power = frames[frameIndex].strength * nodes[job.node].launchShare[quarter];
-    cell.pointPower = kPointShare * frames[frameIndex].splitPower;
+    cell.linePower = kLineShare * frames[frameIndex].splitPower;
     return cell;
 }
 

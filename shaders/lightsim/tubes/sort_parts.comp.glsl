@@ -10,5 +10,5 @@ void main() {
     uint packed_ = parts[TUBE_UNEVEN_LIST * TUBE_LIST_PARTS + gl_GlobalInvocationID.x];
     Part part = unpackedPart(packed_);
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
-    listPart(isGathered(map, unevennessOf(map)) ? TUBE_GATHER_LIST : TUBE_POINT_LIST, packed_);
+    listPart(isGathered(map, unevennessOf(map)) ? TUBE_GATHER_LIST : TUBE_LINE_LIST, packed_);
 }
