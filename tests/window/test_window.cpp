@@ -120,10 +120,11 @@ TEST(Turntable, BeginsWithTheScenesViewAndHasItsOppositeHalfWay) {
 }
 
 TEST_F(WindowTest, SaysWhatIsWrongWithARecordingAndWithoutAScreen) {
-    const RunResult wrong = view("0 jump\n");
-    EXPECT_EQ(wrong.exitCode, 3);
+    const RunOptions noScreen{.environment = {"DISPLAY=", "WAYLAND_DISPLAY="}};
+    const RunResult wrong = runEikonal({"view", scene, "--script", folder.write("script.rec", "0 jump\n")}, noScreen);
+    EXPECT_EQ(wrong.exitCode, 3) << "before a window is opened";
     EXPECT_NE(wrong.err.find("script.rec:1: unknown event 'jump'"), std::string::npos) << wrong.err;
-    const RunResult blind = runEikonal({"view", scene}, {.environment = {"DISPLAY=", "WAYLAND_DISPLAY="}});
+    const RunResult blind = runEikonal({"view", scene}, noScreen);
     EXPECT_EQ(blind.exitCode, 4);
     EXPECT_NE(blind.err.find("display"), std::string::npos) << blind.err;
 }

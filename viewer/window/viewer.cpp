@@ -9,12 +9,20 @@
 
 namespace eikonal::window {
 
+namespace {
+
+std::optional<Script> scriptIn(const std::filesystem::path& recording) {
+    return recording.empty() ? std::nullopt : std::optional<Script>(readEvents(recording));
+}
+
+} // namespace
+
+// What is wrong with a recording or a scene is said before a window opens.
 Viewer::Viewer(const ViewOptions& options)
-    : options_(options), document_(options.file, options.overrides),
+    : options_(options), script_(scriptIn(options.script)), document_(options.file, options.overrides),
       window_(document_.scene().render.size, "Eikonal: " + options.file.filename().string(), {.shaderFolder = options.shaders}),
       screen_(window_.context(), "viewer/window/screen.vert.glsl", "viewer/window/screen.frag.glsl"),
       bake_({.shaderFolder = options.shaders}), fronts_({.shaderFolder = options.shaders}), pixels_(window_.pixels()) {
-    if (!options.script.empty()) script_.emplace(readEvents(options.script));
     look_.slicePosition = middleOf(domain(), look_.sliceAxis);
     session_ = sessionFor(document_, OldLight::kStays);
     watchFiles();
