@@ -8,9 +8,9 @@ bool isWithin(vec3 coordinate) {
     return all(lessThanEqual(abs(coordinate - 0.5), vec3(0.5)));
 }
 
-// By which a ray drifts in half a step, in texture coordinates.
+// By which a ray drifts in half a step, in texture coordinates. `stepScale`: of a step's length, by axis.
 vec3 halfDrift(vec3 w, vec3 stepScale) {
-    return w * stepScale * (0.5 / length(w));
+    return driftAlong(Ray(vec3(0.0), w * stepScale), 1.0 / length(w), 0.5).x;
 }
 
 // What free steps bring.
@@ -27,7 +27,7 @@ struct FreeSteps {
 void takeBack(inout FreeSteps steps, vec3 stepScale) {
     steps.next -= 2.0 * halfDrift(steps.w, stepScale);
     Optics there = domainOptics(steps.next);
-    steps.w -= there.gradN * view.stepLength;
+    steps.w = kickByLength(Ray(steps.next, steps.w), there.gradN, -view.stepLength).w;
     steps.n = length(steps.w);  // as on a true ray
     steps.sumOfN -= there.n;
     steps.count -= 1u;
@@ -54,8 +54,8 @@ bool stepAlong(inout RayState ray, inout uint left) {
     bool goesOn = isPlain(ray, most) && isWithin(middle);
     while (goesOn) {
         Optics there = domainOptics(steps.next);
-        steps.w += there.gradN * view.stepLength;
-        steps.next += steps.w * stepScale * (1.0 / length(steps.w));
+        steps.w = kickByLength(Ray(steps.next, steps.w), there.gradN, view.stepLength).w;
+        steps.next = driftAlong(Ray(steps.next, steps.w * stepScale), 1.0 / length(steps.w), 1.0).x;
         steps.n = there.n;
         steps.sumOfN += there.n;
         steps.count += 1u;
@@ -72,7 +72,7 @@ bool stepAlong(inout RayState ray, inout uint left) {
         }
         move(ray, steps, stepScale);
         left -= steps.count;
-        endRay(ray);
     }
+    endRay(ray);
     return leaves && isPlain(ray, left);
 }

@@ -4,7 +4,7 @@ const int kRowsPerRay = 9;
 // The first rows of what changes together.
 const int kCourseRow = 3;     // when to look ahead, and what has been met; below it what every step changes
 const int kMatterRow = 4;     // optical depth and transmittance
-const int kSeenRow = 6;      // radiance, and the first throughput
+const int kSeenRow = 6;       // radiance, and the first throughput
 const int kCrossingRow = 7;   // of a boundary, or the surface at the ray's end
 
 struct RayRows {

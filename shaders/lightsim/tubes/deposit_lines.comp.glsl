@@ -4,10 +4,10 @@
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
 
-const float kLinesPerVoxel = 2.0;  // along each axis
+const float kLinesPerVoxel = 2.0;  // along u and v; along t it counts in what a line may carry
 const int kMostLines = 6;          // along each axis of a part
 const int kMostVoxels = 16;        // that a line passes: it is at most kLongestPart long
-const float kAhead = 1.0e-3;       // [voxels]: the place so far ahead says which voxel a line is in
+const float kAhead = 1.0e-3;       // [voxels]: the place so far ahead says which voxel a line is in; floats tell 3e-5
 
 // Lines half a voxel apart, or fewer if they carry less than matters.
 ivec2 linesFor(vec3 extents, float powerLength, float leastPower) {

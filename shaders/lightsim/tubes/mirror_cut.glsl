@@ -32,11 +32,5 @@ float partBeforeMirrorAt(uint cell, vec2 at) {
 
 // The part of the steps along a corner of a cell that lies before the mirror.
 float partBeforeMirror(uint cell, int corner) {
-#ifdef FOLLOW_REFLECTIONS
-    float first = shareOf(cell, corner).w;
-    float last = shareOf(cell, corner + 4).w;
-    return first < 0.0 ? clamp(first / min(first - last, -1.0e-6), 0.0, 1.0) : 0.0;
-#else
-    return 0.0;
-#endif
+    return clamp(partBeforeMirrorAt(cell, vec2(corner & 1, corner >> 1)), 0.0, 1.0);
 }
