@@ -44,7 +44,8 @@ TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const Ba
       layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)),
       followsReflections_(plan.accuracy.reflections > 0 && hasBoundaries(plan)),
       detail_(detailOf(context, plan.fields)),
-      kernels_(context, definesFor(plan, followsReflections_, detail_.has_value()), capacity_, followsReflections_),
+      kernels_(context, definesFor(plan, followsReflections_, detail_.has_value()), plan.fields.lattice, capacity_,
+               followsReflections_),
       sums_(context, plan.fields.lattice, layers_, plan.bands) {
     if (options.eikonal) {
         eikonal_.emplace(context, definesFor(plan, followsReflections_, detail_.has_value()), plan.fields.lattice, layers_);

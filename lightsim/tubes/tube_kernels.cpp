@@ -15,14 +15,23 @@ namespace {
 constexpr std::size_t kPresenceHeader = 4 * sizeof(std::uint32_t);
 constexpr std::size_t kCellsPerJob = 4;
 
+bool hasOpaque(const std::vector<std::string>& defines) {
+    return std::find(defines.begin(), defines.end(), "EFFECT_OPAQUE") != defines.end();
+}
+
+/// A byte a voxel.
+std::size_t freeSampleWords(const std::vector<std::string>& defines, const Lattice& lattice) {
+    return hasOpaque(defines) ? (lattice.count() + 3) / 4 : 0;
+}
+
 std::size_t itemBytes(std::size_t capacity) {
     return std::max(capacity * sizeof(TubeConformity), TUBE_MAX_JOBS * sizeof(TubeJob));
 }
 
 } // namespace
 
-TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity,
-                         bool followsReflections)
+TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
+                         std::uint32_t capacity, bool followsReflections)
     : context_(context), defines_(defines), vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
       frames_(context, sizeof(LaunchFrame), "launch frames"),
       nodes_(context, capacity * sizeof(TubeNode), "tube nodes"), items_(context, itemBytes(capacity), "tube items"),
@@ -30,6 +39,7 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       measures_(context, capacity * sizeof(TubeMeasure), "tube measures"),
       reflections_(context, followsReflections ? capacity * sizeof(TubeReflections) : 0, "tube reflections"),
       parts_(context, sizeof(TubePartsHeader) + TUBE_LISTS * TUBE_LIST_PARTS * sizeof(std::uint32_t), "tube parts"),
+      freeSamples_(context, freeSampleWords(defines, lattice) * sizeof(std::uint32_t), "free samples"),
       ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
       settingsBlock_(context, sizeof(BakeSettings), "bake settings"),
       tubeBlock_(context, sizeof(TubeSettings), "tube settings"),
@@ -43,12 +53,22 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       sortCells_(context, "lightsim/tubes/sort_cells.comp.glsl", defines),
       smoothCells_(context, "lightsim/tubes/smooth_cells.comp.glsl", defines),
       sortParts_(context, "lightsim/tubes/sort_parts.comp.glsl", defines),
-      tally_(context, "lightsim/tubes/tally.comp.glsl", defines), intoSums_(context, defines) {}
+      tally_(context, "lightsim/tubes/tally.comp.glsl", defines), intoSums_(context, defines) {
+    if (hasOpaque(defines)) {
+        countFreeSamples_.emplace(context, "lightsim/tubes/free_samples.comp.glsl", defines);
+    }
+}
 
 TubeKernels::DepositKernels::DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines)
     : gather(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
       lines(context, "lightsim/tubes/deposit_lines.comp.glsl", defines),
-      rays(context, "lightsim/tubes/deposit_rays.comp.glsl", defines) {}
+      rays(context, "lightsim/tubes/deposit_rays.comp.glsl", defines) {
+    if (hasOpaque(defines)) {
+        std::vector<std::string> inCut = defines;
+        inCut.emplace_back("CUT_VOXELS");
+        gatherInCut.emplace(context, "lightsim/tubes/deposit_gather.comp.glsl", inCut);
+    }
+}
 
 const TubeKernels::DepositKernels& TubeKernels::depositKernels(const VoxelSums& sums) {
     if (!sums.areLobes()) {
@@ -77,6 +97,10 @@ void TubeKernels::restart(const BakeSettings& settings) {
     ledger_.fill(0);
     TubePartsHeader header{};
     parts_.upload(header);
+    if (countFreeSamples_) {
+        freeSamples_.bindStorage(TUBE_FREE_SAMPLES_BINDING);
+        run(*countFreeSamples_, freeSamples_.bytes() / sizeof(std::uint32_t));
+    }
 }
 
 void TubeKernels::bindTracks() const {
@@ -169,10 +193,13 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& de
     deposits.light.bind();
     parts_.bindStorage(TUBE_PARTS_BINDING);
     const DepositKernels& into = depositKernels(deposits.light);
-    const gpu::Kernel* kernels[TUBE_DEPOSIT_LISTS] = {&into.gather, &into.lines, &into.rays};
-    for (std::size_t list = 0; list < TUBE_DEPOSIT_LISTS; ++list) {
-        dispatchList(*kernels[list], list);
+    dispatchList(into.gather, TUBE_GATHER_LIST);
+    if (into.gatherInCut) {
+        freeSamples_.bindStorage(TUBE_FREE_SAMPLES_BINDING);
+        dispatchList(*into.gatherInCut, TUBE_CUT_LIST);
     }
+    dispatchList(into.lines, TUBE_LINE_LIST);
+    dispatchList(into.rays, TUBE_RAY_LIST);
     if (deposits.eikonal != nullptr) {
         deposits.eikonal->add(parts_);
     }
@@ -197,8 +224,8 @@ std::uint64_t TubeKernels::fieldEvaluations() const {
 std::size_t TubeKernels::bytes() const {
     std::size_t sum = 0;
     const std::initializer_list<const gpu::Buffer*> buffers = {
-        &vertices_, &frames_, &nodes_, &items_, &presences_, &measures_, &reflections_, &parts_, &ledger_, &settingsBlock_,
-        &tubeBlock_, &positions_, &shares_, &cells_};
+        &vertices_, &frames_, &nodes_, &items_, &presences_, &measures_, &reflections_, &parts_, &freeSamples_, &ledger_,
+        &settingsBlock_, &tubeBlock_, &positions_, &shares_, &cells_};
     for (const gpu::Buffer* buffer : buffers) {
         sum += buffer->bytes();
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/gpu/row_buffer.h"
+#include "common/lattice.h"
 #include "lightsim/emit.h"
 #include "lightsim/tubes/eikonal_deposit.h"
 #include "lightsim/tubes/mirrors.h"
@@ -25,13 +26,13 @@ struct Deposits {
 
 class TubeKernels {
 public:
-    /// Room for `capacity` vertices. Where reflections are followed, the kernels are other variants. Keeps a reference to the
-    /// context.
-    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, std::uint32_t capacity,
-                bool followsReflections);
+    /// Room for `capacity` vertices, on a lattice. Where reflections are followed, the kernels are other variants. Keeps a
+    /// reference to the context.
+    TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
+                std::uint32_t capacity, bool followsReflections);
 
     void setLights(const gpu::Context& context, const LaunchGrids& grids, const TubeSettings& tubeSettings);
-    /// Counters and the ledger begin anew.
+    /// Counters and the ledger begin anew. The fields are bound.
     void restart(const BakeSettings& settings);
     /// The path that is followed from now on.
     void setMirrors(const Mirrors& mirrors);
@@ -61,9 +62,10 @@ public:
     std::size_t bytes() const;
 
 private:
-    /// One for each list of parts, in the order of the lists.
+    /// One for each list of parts.
     struct DepositKernels {
         gpu::Kernel gather, lines, rays;
+        std::optional<gpu::Kernel> gatherInCut;  ///< where there is opaque matter
 
         DepositKernels(const gpu::Context& context, const std::vector<std::string>& defines);
     };
@@ -77,10 +79,11 @@ private:
     const gpu::Context& context_;
     std::vector<std::string> defines_;
     TubeSettings tubeSettings_{};
-    gpu::Buffer vertices_, frames_, nodes_, items_, presences_, measures_, reflections_, parts_, ledger_, settingsBlock_,
-        tubeBlock_;
+    gpu::Buffer vertices_, frames_, nodes_, items_, presences_, measures_, reflections_, parts_, freeSamples_, ledger_,
+        settingsBlock_, tubeBlock_;
     gpu::RowBuffer positions_, shares_, cells_;
     gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sortCells_, smoothCells_, sortParts_, tally_;
+    std::optional<gpu::Kernel> countFreeSamples_;  ///< where there is opaque matter
     DepositKernels intoSums_;
     std::optional<DepositKernels> intoLobes_;  ///< compiled where they are first needed
 };

@@ -25,6 +25,7 @@ using glm::vec4;
 #define TUBE_NODES_BINDING 6
 #define TUBE_REFLECTIONS_BINDING 7   // trace, where reflections are followed
 #define TUBE_PARTS_BINDING 1     // deposit: lists of the parts of cells; the sums lie at 2 to 7
+#define TUBE_FREE_SAMPLES_BINDING 0  // the same, in voxels that opaque matter cuts
 #define TUBE_EIKONAL_BINDING 2   // deposit of the eikonal, in place of the sums
 #define TUBE_SORT_RECORDS_BINDING 5  // sort: cells and the lists of their parts, beside the tracks
 #define TUBE_SORT_PARTS_BINDING 7
@@ -127,8 +128,12 @@ struct TubeCell {
 #define TUBE_DEPOSIT_LISTS 3
 #define TUBE_EVEN_LIST 3      // cells, by their first part: volumes and parts are still to come
 #define TUBE_UNEVEN_LIST 4    // parts that are still to be sorted
-#define TUBE_LISTS 5
+#define TUBE_CUT_LIST 5       // gathered parts that reach into voxels which opaque matter cuts
+#define TUBE_LISTS 6
 #define TUBE_LIST_PARTS (4u * TUBE_MAX_JOBS * TUBE_MAX_PARTS)
+
+// Samples along each axis of a voxel that opaque matter cuts.
+#define TUBE_SAMPLES_ACROSS_CUT 4
 
 // What has been listed, and the indirect dispatch with an invocation a part.
 struct TubePartList {
@@ -176,6 +181,6 @@ static_assert(offsetof(TubeCell, shares) == 8 * 16 && offsetof(TubeCell, volumes
 static_assert(offsetof(TubeCell, power) == 18 * 16 && offsetof(TubeCell, linePower) == 18 * 16 + 12);
 static_assert(offsetof(TubeCell, litParts) == 19 * 16 && sizeof(TubeCell) == 20 * 16);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
-static_assert(sizeof(TubeCell) == 320 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 96 && sizeof(TubeSettings) == 48);
+static_assert(sizeof(TubeCell) == 320 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 112 && sizeof(TubeSettings) == 48);
 } // namespace eikonal::bake
 #endif

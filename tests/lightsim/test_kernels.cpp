@@ -54,6 +54,12 @@ std::vector<KernelVariant> variants() {
             }
         }
     }
+    for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION", "LIGHT_LOBES", "FOLLOW_REFLECTIONS"})) {
+        rows.push_back(test::variant("lightsim/tubes/deposit_gather.comp.glsl", subset, {"BANDS 3", "EFFECT_OPAQUE", "CUT_VOXELS"}));
+    }
+    for (const auto& subset : test::tellingSubsets({"MANUAL_FILTERING"})) {
+        rows.push_back(test::variant("lightsim/tubes/free_samples.comp.glsl", subset, {"BANDS 3", "EFFECT_OPAQUE"}));
+    }
     for (const char* kernel : {"measure_edges", "measure_nodes"}) {
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3", "FIELD_DETAIL"}});
     }

@@ -16,14 +16,22 @@ CornerLight cornerLightOf(uint cell) {
     return light;
 }
 
+// Roots of the volumes at the corners of a cell before and after its steps.
+struct CornerVolumes {
+    vec4 before, after;
+};
+
+CornerVolumes cornerVolumesOf(uint cell) {
+    return CornerVolumes(cellRow(cell, kFirstVolumeRow), cellRow(cell, kFirstVolumeRow + 1));
+}
+
 // Volume of the cell per u, v and t at a place of it, over the relative power there [voxels^3]: where the node's parabolas
 // are no good, `own`. Its root is linear along straight rays of a spherical front.
-float volumeAt(uint cell, vec3 at, float own) {
-    vec4 before = cellRow(cell, kFirstVolumeRow);
-    if (before.x < 0.0) {
+float volumeAt(CornerVolumes volumes, vec3 at, float own) {
+    if (volumes.before.x < 0.0) {
         return own;
     }
-    vec4 roots = mix(before, cellRow(cell, kFirstVolumeRow + 1), at.z);
+    vec4 roots = mix(volumes.before, volumes.after, at.z);
     float root = mix(mix(roots.x, roots.y, at.x), mix(roots.z, roots.w, at.x), at.y);
     return root * root;
 }
@@ -50,18 +58,6 @@ vec3 powerLengthAt(CornerLight light, vec3 at) {
 
 vec3 unitOf(vec3 v) {
     return v / max(length(v), 1.0e-30);
-}
-
-// The next place of a box, x first; beyond the last one z is too large.
-ivec3 following(ivec3 place, ivec3 first, ivec3 last) {
-    place.x += 1;
-    if (place.x > last.x) {
-        place = ivec3(first.x, place.y + 1, place.z);
-    }
-    if (place.y > last.y) {
-        place = ivec3(place.x, first.y, place.z + 1);
-    }
-    return place;
 }
 
 void addWhereInside(ivec3 voxel, vec3 powerLength, vec3 flux) {

@@ -1,10 +1,17 @@
 // Deposit, of parts in which irradiance is even: each sample point of a voxel that lies inside gets power x length over the
 // volume there, found by inverting the map of the part (Newton). Neighbouring cells share their faces, so that every sample
 // gets one value from each sheet of the wavefront, none twice.
+// Voxels that opaque matter cuts have samples of their own (CUT_VOXELS).
 #include "lightsim/tubes/deposit.glsl"
 #include "lightsim/tubes/voxel_samples.glsl"
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
+
+#ifdef CUT_VOXELS
+const uint kList = TUBE_CUT_LIST;
+#else
+const uint kList = TUBE_GATHER_LIST;
+#endif
 
 const int kNewtonSteps = 4;
 const float kNewtonEnd = 0.01;  // of the unit cube: what is left after such a step is of the order of its square
@@ -37,6 +44,7 @@ struct Light {
 struct Gather {
     Part part;
     Trilinear map;
+    CornerVolumes volumes;
     vec3 middle;
     mat3 inverseMiddle;  // of the derivatives there
     vec3 reach;          // how far from the middle of the unit cube the guess for a point of the part can be
@@ -47,6 +55,7 @@ Gather gatherOf(Part part, Trilinear map) {
     const float kRounding = 1.0e-3;
     Gather gather;
     gather.part = part;
+    gather.volumes = cornerVolumesOf(part.cell);
     gather.map = map;
     gather.middle = placeIn(map, vec3(0.5));
     gather.inverseMiddle = inverse(derivativesIn(map, vec3(0.5)));
@@ -58,89 +67,116 @@ Gather gatherOf(Part part, Trilinear map) {
 }
 
 // Light of the part at a point x, a share of that of its voxel.
-Light lightAt(Gather gather, CornerLight corners, vec3 x, vec3 guess, float share) {
+Light lightAt(Gather gather, CornerLight corners, vec3 x, float share) {
     Light light = Light(vec3(0.0), vec3(0.0));
+    vec3 guess = gather.inverseMiddle * (x - gather.middle);
     vec3 q = invertedIn(gather.map, x, guess + 0.5);
     vec3 place = placeInCell(gather.part, q);
     if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0))) && isLit(gather.part.cell, place)) {
         mat3 d = derivativesIn(gather.map, q);
         ivec3 cuts = gather.part.cuts;
         float own = abs(determinant(d)) * float(cuts.x * cuts.y * cuts.z);
-        light.powerLength = powerLengthAt(corners, place) * (share / volumeAt(gather.part.cell, place, own));
+        light.powerLength = powerLengthAt(corners, place) * (share / volumeAt(gather.volumes, place, own));
         light.flux = fluxOf(light.powerLength, unitOf(d[2]));
     }
     return light;
 }
 
-// Light of the part at the samples of a voxel. Samples that cannot lie in it are passed over in a loop of their own, for
-// invocations wait for each other in what follows it.
-Light gathered(Gather gather, CornerLight corners, ivec3 voxel) {
-    Light light = Light(vec3(0.0), vec3(0.0));
-    VoxelSamples samples = samplesOf(voxel);
-    int n = samples.across;
-    float spacing = 1.0 / float(n);
-    ivec3 first = ivec3(0);
-    ivec3 last = ivec3(n - 1);
-    ivec3 place = ivec3(-1, 0, 0);
-    for (int i = 0; i < n * n * n; ++i) {
-        vec3 x, guess;
-        do {
-            place = following(place, first, last);
-            x = vec3(voxel) + (vec3(place) + 0.5) * spacing;
-            guess = gather.inverseMiddle * (x - gather.middle);
-        } while (place.z < n && any(greaterThan(abs(guess), gather.reach)));
-        if (place.z >= n) {
-            break;
-        }
-        Light more = lightAt(gather, corners, x, guess, samples.share);
-        light.powerLength += more.powerLength;
-        light.flux += more.flux;
+// Of points [voxels], or of samples, numbered along each axis of the domain.
+struct Box {
+    vec3 first, end;
+};
+
+Box boxOf(Trilinear map) {
+    Box box = Box(vec3(1.0e30), vec3(-1.0e30));
+    for (int i = 0; i < 8; ++i) {
+        vec3 x = placeIn(map, vec3(ivec3(i & 1, i >> 1 & 1, i >> 2)));
+        box.first = min(box.first, x);
+        box.end = max(box.end, x);
     }
-    return light;
+    box.first = max(box.first, vec3(0.0, 0.0, float(settings.slabBegin)));
+    box.end = min(box.end, vec3(domain.size.xy, settings.slabEnd));
+    return box;
 }
 
-// Half the extent of a voxel in the unit cube, by the linear guess.
-vec3 voxelReachOf(Gather gather) {
-    mat3 rows = transpose(gather.inverseMiddle);
-    return 0.5 * vec3(dot(abs(rows[0]), vec3(1.0)), dot(abs(rows[1]), vec3(1.0)), dot(abs(rows[2]), vec3(1.0)));
+Box samplesIn(Box box) {
+    float across = float(samplesAcross());
+    return Box(ceil(box.first * across - 0.5), floor(box.end * across - 0.5) + 1.0);
 }
 
-void gatherBetween(ivec3 first, ivec3 last, Gather gather, CornerLight corners) {
-    vec3 reach = gather.reach + voxelReachOf(gather);
-    int count = (last.x - first.x + 1) * (last.y - first.y + 1) * (last.z - first.z + 1);
-    ivec3 voxel = first - ivec3(1, 0, 0);
-    for (int i = 0; i < count; ++i) {
-        vec3 guess;
-        do {
-            voxel = following(voxel, first, last);
-            guess = gather.inverseMiddle * (vec3(voxel) + 0.5 - gather.middle);
-        } while (voxel.z <= last.z && (any(greaterThan(abs(guess), reach)) || !takesLight(voxel)));
-        if (voxel.z > last.z) {
-            break;
+vec3 placeOfSample(vec3 number) {
+    return (number + 0.5) / float(samplesAcross());
+}
+
+// Samples of a row along x that may lie in a part: those between the faces of its reach.
+struct Row {
+    vec2 number;  // along y and z
+    float next, end;
+};
+
+Row rowAt(vec2 number, Gather gather, Box box) {
+    vec3 along = gather.inverseMiddle[0] / float(samplesAcross());
+    vec3 perSample = 1.0 / mix(along, vec3(1.0e-20), lessThan(abs(along), vec3(1.0e-20)));
+    vec3 guess = gather.inverseMiddle * (placeOfSample(vec3(0.0, number)) - gather.middle);
+    vec3 middle = -guess * perSample;
+    vec3 reach = gather.reach * abs(perSample);
+    return Row(number, max(ceil(largestOf(middle - reach)), box.first.x),
+               min(floor(-largestOf(-middle - reach)) + 1.0, box.end.x));
+}
+
+// The first row from this one on, y first, that has samples left; beyond the last one z is too large.
+Row withSamples(Row row, Gather gather, Box box) {
+    while (row.next >= row.end && row.number.y < box.end.z) {
+        bool isLast = row.number.x + 1.0 >= box.end.y;
+        row = rowAt(isLast ? vec2(box.first.y, row.number.y + 1.0) : row.number + vec2(1.0, 0.0), gather, box);
+    }
+    return row;
+}
+
+ivec3 voxelOf(vec3 sampleNumber) {
+    return ivec3(placeOfSample(sampleNumber));
+}
+
+// Adds what samples bring, one after the other of row after row in one loop, for invocations wait for the one that has most to do.
+void gatherFrom(Box box, Gather gather, CornerLight corners) {
+    Light light = Light(vec3(0.0), vec3(0.0));
+    vec3 extent = box.end - box.first;
+    int most = int(extent.x * extent.y * extent.z);
+    Row row = withSamples(rowAt(box.first.yz, gather, box), gather, box);
+    for (int i = 0; i < most && row.number.y < box.end.z; ++i) {
+        vec3 number = vec3(row.next, row.number);
+        ivec3 voxel = voxelOf(number);
+        if (takesLight(voxel) && hasSamples(voxel)) {
+            Light more = lightAt(gather, corners, placeOfSample(number), sampleShareIn(voxel));
+            light.powerLength += more.powerLength;
+            light.flux += more.flux;
         }
-        Light light = gathered(gather, corners, voxel);
-        addAt(voxel, light.powerLength, light.flux);
+        row.next += 1.0;
+        if (row.next >= row.end || voxelOf(vec3(row.next, row.number)).x != voxel.x) {
+            if (largestOf(light.powerLength) > 0.0) {
+                addAt(voxel, light.powerLength, light.flux);
+            }
+            light = Light(vec3(0.0), vec3(0.0));
+            row = withSamples(row, gather, box);
+        }
     }
 }
 
 void main() {
-    if (gl_GlobalInvocationID.x >= header.lists[TUBE_GATHER_LIST].count) {
+    if (gl_GlobalInvocationID.x >= header.lists[kList].count) {
         return;
     }
-    Part part = unpackedPart(listedPart(TUBE_GATHER_LIST, gl_GlobalInvocationID.x));
+    uint packed_ = listedPart(kList, gl_GlobalInvocationID.x);
+    Part part = unpackedPart(packed_);
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
-    vec3 low = vec3(1.0e30);
-    vec3 high = vec3(-1.0e30);
-    for (int i = 0; i < 8; ++i) {
-        vec3 x = placeIn(map, vec3(ivec3(i & 1, i >> 1 & 1, i >> 2)));
-        low = min(low, x);
-        high = max(high, x);
+    Box box = boxOf(map);
+#if defined(EFFECT_OPAQUE) && !defined(CUT_VOXELS)
+    if (meetsCutVoxel(box.first, box.end)) {
+        listPart(TUBE_CUT_LIST, packed_);
     }
-    // voxels that have a sample between low and high
-    float rim = 0.5 / float(mostSamplesAcross());
-    ivec3 first = max(ivec3(ceil(low + rim)) - 1, ivec3(0));
-    ivec3 last = min(ivec3(floor(high - rim)), domain.size - 1);
-    if (all(lessThanEqual(first, last))) {
-        gatherBetween(first, last, gatherOf(part, map), cornerLightOf(part.cell));
+#endif
+    Box samples = samplesIn(box);
+    if (all(lessThan(samples.first, samples.end))) {
+        gatherFrom(samples, gatherOf(part, map), cornerLightOf(part.cell));
     }
 }

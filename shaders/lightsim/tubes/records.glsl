@@ -4,17 +4,10 @@
 
 #include "lightsim/tubes/cell_rows.glsl"
 
-layout(std430, binding = TUBE_PARTS_BINDING) readonly buffer PartBlock {
-    TubePartsHeader header;
-    uint parts[];
-};
-
+#define PARTS_BINDING TUBE_PARTS_BINDING
+#include "lightsim/tubes/part_lists.glsl"
 #include "lightsim/tubes/mirror_cut.glsl"
 #include "lightsim/tubes/opaque_cut.glsl"
-
-uint listedPart(uint list, uint index) {
-    return parts[list * TUBE_LIST_PARTS + index];
-}
 
 // Place in the cell of a place in one of its parts.
 vec3 placeInCell(Part part, vec3 q) {

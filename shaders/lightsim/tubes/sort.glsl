@@ -9,10 +9,8 @@
 
 layout(std430, binding = TUBE_ITEMS_BINDING) readonly buffer ItemBlock { TubeJob jobs[]; };
 layout(std430, binding = TUBE_SORT_RECORDS_BINDING) writeonly buffer RecordBlock { TubeCell cells[]; };
-layout(std430, binding = TUBE_SORT_PARTS_BINDING) buffer PartBlock {
-    TubePartsHeader header;
-    uint parts[];
-};
+#define PARTS_BINDING TUBE_SORT_PARTS_BINDING
+#include "lightsim/tubes/part_lists.glsl"
 
 const float kLongestPart = 4.0;     // [voxels]: bounds the voxels that a gather looks at
 const float kLongestUneven = 1.0;   // [voxels]: uneven cells are cut to that, so that their even parts can be gathered
@@ -108,12 +106,6 @@ void listParts(uint list, uint cell, ivec3 logCuts) {
         parts[list * TUBE_LIST_PARTS + place + i] = packedPart(cell, logCuts, index);
     }
     atomicMax(header.lists[list].groups.x, (place + count - 1u) / BAKE_GROUP_SIZE + 1u);
-}
-
-void listPart(uint list, uint packed_) {
-    uint place = atomicAdd(header.lists[list].count, 1u);
-    parts[list * TUBE_LIST_PARTS + place] = packed_;
-    atomicMax(header.lists[list].groups.x, place / BAKE_GROUP_SIZE + 1u);
 }
 
 // A cell that is not even: part by part, or as lines if its node is not resolved anyway, for want of power.

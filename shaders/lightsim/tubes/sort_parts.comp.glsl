@@ -7,7 +7,7 @@ void main() {
     if (gl_GlobalInvocationID.x >= header.lists[TUBE_UNEVEN_LIST].count) {
         return;
     }
-    uint packed_ = parts[TUBE_UNEVEN_LIST * TUBE_LIST_PARTS + gl_GlobalInvocationID.x];
+    uint packed_ = listedPart(TUBE_UNEVEN_LIST, gl_GlobalInvocationID.x);
     Part part = unpackedPart(packed_);
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
     listPart(isGathered(map, unevennessOf(map)) ? TUBE_GATHER_LIST : TUBE_LINE_LIST, packed_);

@@ -1,44 +1,67 @@
-// The samples that a voxel's mean is taken from.
-
-struct VoxelSamples {
-    int across;   // along each axis
-    float share;  // of the voxel's light that each stands for
-};
-
+// The samples that a voxel's mean is taken from. Voxels that opaque matter cuts have more of them than others (CUT_VOXELS), so
+// that an eighth of a voxel is seen, and those in front of it stand for all that is free: whatever that is, even light leaves an
+// even irradiance.
 #ifdef EFFECT_OPAQUE
 #include "fields/fields.glsl"
-#include "fields/opaque_path.glsl"
 
-// In voxels that opaque matter cuts, so that an eighth of a voxel is seen.
-const int kLeastAcrossCut = 4;
-
-int mostSamplesAcross() {
-    return max(int(tube.samplesPerVoxel), kLeastAcrossCut);
+float freeShareOf(ivec3 voxel) {
+    return 1.0 - texelFetch(opaqueGrid, voxel, 0).a;
 }
 
-// Of a voxel that matter cuts, samples in front of it stand for all that is free: whatever that is, even light leaves an even
-// irradiance.
-VoxelSamples samplesOf(ivec3 voxel) {
-    float free = 1.0 - texelFetch(opaqueGrid, voxel, 0).a;
-    int n = free < 1.0 ? mostSamplesAcross() : int(tube.samplesPerVoxel);
-    float share = 1.0 / float(n * n * n);
-    if (free == 1.0) {
-        return VoxelSamples(n, share);
+bool isCut(ivec3 voxel) {
+    float free = freeShareOf(voxel);
+    return free > 0.0 && free < 1.0;
+}
+
+// Whether there is one between two points [voxels].
+bool meetsCutVoxel(vec3 low, vec3 high) {
+    ivec3 first = ivec3(floor(low));
+    ivec3 last = min(ivec3(floor(high)), domain.size - 1);
+    bool meets = false;
+    for (int k = first.z; k <= last.z && !meets; ++k) {
+        for (int j = first.y; j <= last.y && !meets; ++j) {
+            for (int i = first.x; i <= last.x && !meets; ++i) {
+                meets = isCut(ivec3(i, j, k));
+            }
+        }
     }
-    int freeSamples = 0;
-    for (int i = 0; i < n * n * n; ++i) {
-        vec3 place = (vec3(ivec3(i % n, i / n % n, i / (n * n))) + 0.5) / float(n);
-        freeSamples += isSolid(domain.min + (vec3(voxel) + place) * domain.voxel) ? 0 : 1;
-    }
-    return VoxelSamples(n, freeSamples > 0 ? free / float(freeSamples) : share);
+    return meets;
+}
+#endif
+
+#ifdef CUT_VOXELS
+#include "lightsim/tubes/free_samples.glsl"
+
+const int kSamplesAcross = TUBE_SAMPLES_ACROSS_CUT;
+
+int samplesAcross() {
+    return kSamplesAcross;
+}
+
+bool hasSamples(ivec3 voxel) {
+    return isCut(voxel);
+}
+
+// Of the voxel's light that a sample stands for.
+float sampleShareIn(ivec3 voxel) {
+    return freeShareOf(voxel) / max(float(freeSamplesIn(voxel)), 1.0);
 }
 #else
-int mostSamplesAcross() {
+
+int samplesAcross() {
     return int(tube.samplesPerVoxel);
 }
 
-VoxelSamples samplesOf(ivec3 voxel) {
-    int n = int(tube.samplesPerVoxel);
-    return VoxelSamples(n, 1.0 / float(n * n * n));
+bool hasSamples(ivec3 voxel) {
+#ifdef EFFECT_OPAQUE
+    return freeShareOf(voxel) == 1.0;
+#else
+    return true;
+#endif
+}
+
+float sampleShareIn(ivec3 voxel) {
+    float across = float(tube.samplesPerVoxel);
+    return 1.0 / (across * across * across);
 }
 #endif
