@@ -254,7 +254,9 @@ TEST(Reflections, InsideADropMakeTheRainbow) {
 }
 
 TEST(Reflections, KeepTheEnergyOfTheGrid) {
-    const Fields fields = test::absorbingSphereInSmoke(32);
+    // as fine as the ledger's own test: on 32 voxels absorption and irradiance vary together within those of the boundary by 0.4 %,
+    // however many samples their means are taken from
+    const Fields fields = test::absorbingSphereInSmoke(48);
     const EnergyLedger energy = bakeBeam(fields, {1.0, 0.2, 0.1}, 2).statistics.energy;
     for (int band = 0; band < 3; ++band) {
         EXPECT_GT(energy.followed[band], 0.0);
