@@ -234,10 +234,17 @@ TEST(Render, SlicesAndTilesChangeNoBit) {
 
 TEST(Render, TrappedRaysEndAtTheLimitWithABackground) {
     const Fields fields = test::sphereFields(test::cube(32, 1.0), 0.7, 1.5, 1.5 / 16.0);
-    const RenderResult image =
-        rendered(test::plainScene(glm::dvec3(1.0), 4.0, 30.0, 8), fields, nullptr, {.maxEvaluations = 10});
-    for (const float steps : image.channel("steps").values) EXPECT_LE(steps, 9.0f);
-    for (int i = 0; i < 8; ++i) EXPECT_GT(image.radiance(i, i).r, 0.5f);
+    Fields smoky = fields;
+    smoky.sigmaA = DenseGrid<glm::vec3>(fields.lattice.size, glm::vec3(0.1f));
+    // one or two are gone with the looks ahead of a flight, before the first step
+    for (const std::uint32_t most : {1u, 2u, 3u, 10u}) {
+        for (const Fields& passed : {fields, smoky}) {
+            const RenderResult image =
+                rendered(test::plainScene(glm::dvec3(1.0), 4.0, 30.0, 8), passed, nullptr, {.maxEvaluations = most});
+            for (const float steps : image.channel("steps").values) EXPECT_LE(steps, float(most));
+            for (int i = 0; i < 8; ++i) EXPECT_GT(image.radiance(i, i).r, 0.5f) << most;
+        }
+    }
 }
 
 TEST(Render, OpaqueSurfaceShowsItsIrradiance) {

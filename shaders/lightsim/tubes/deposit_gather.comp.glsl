@@ -124,9 +124,14 @@ Row rowAt(vec2 number, Gather gather, Box box) {
                min(floor(-largestOf(-middle - reach)) + 1.0, box.end.x));
 }
 
+// Not of a row without numbers, of a part whose map cannot be inverted.
+bool hasSamplesLeft(Row row) {
+    return row.next < row.end;
+}
+
 // The first row from this one on, y first, that has samples left; beyond the last one z is too large.
 Row withSamples(Row row, Gather gather, Box box) {
-    while (row.next >= row.end && row.number.y < box.end.z) {
+    while (!hasSamplesLeft(row) && row.number.y < box.end.z) {
         bool isLast = row.number.x + 1.0 >= box.end.y;
         row = rowAt(isLast ? vec2(box.first.y, row.number.y + 1.0) : row.number + vec2(1.0, 0.0), gather, box);
     }
@@ -152,7 +157,7 @@ void gatherFrom(Box box, Gather gather, CornerLight corners) {
             light.flux += more.flux;
         }
         row.next += 1.0;
-        if (row.next >= row.end || voxelOf(vec3(row.next, row.number)).x != voxel.x) {
+        if (!hasSamplesLeft(row) || voxelOf(vec3(row.next, row.number)).x != voxel.x) {
             if (largestOf(light.powerLength) > 0.0) {
                 addAt(voxel, light.powerLength, light.flux);
             }
