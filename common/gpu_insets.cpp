@@ -71,7 +71,7 @@ std::vector<Box> boxesOf(const Fields& fields, const EffectSet& effects) {
 }
 
 gpu::Texture3D valueTexture(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
-                            gpu::InsetsBlock& block) {
+                            gpu::InsetsBlock& block, std::vector<gpu::InsetRows>& rows) {
     const std::vector<Box> boxes = boxesOf(fields, effects);
     std::vector<glm::ivec3> sizes;
     for (const Box& box : boxes) sizes.push_back(fields.insets[box.inset].grids->lattice.size);
@@ -81,7 +81,7 @@ gpu::Texture3D valueTexture(const gpu::Context& context, const Fields& fields, c
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const auto& quantity = fields.insets[boxes[i].inset].grids->quantities[std::size_t(boxes[i].quantity)];
         copyBox(quantity.varying, sizes[i], atlas.first[i], atlas.size, texels);
-        block.insets[boxes[i].inset].first[boxes[i].quantity] = glm::ivec4(atlas.first[i], 1);
+        rows[boxes[i].inset].first[boxes[i].quantity] = glm::ivec4(atlas.first[i], 1);
     }
     texture.upload(texels.data());
     block.insetValueScale = 1.0f / glm::vec3(atlas.size);
@@ -101,7 +101,7 @@ std::vector<ExtentTexel> extentTexels(const InsetGrids& grids) {
 }
 
 gpu::Texture3D extentTexture(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
-                             gpu::InsetsBlock& block) {
+                             gpu::InsetsBlock& block, std::vector<gpu::InsetRows>& rows) {
     std::vector<glm::ivec3> sizes;
     if (needsExtents(effects)) {
         for (const Inset& inset : fields.insets) sizes.push_back(inset.grids->lattice.size);
@@ -111,63 +111,67 @@ gpu::Texture3D extentTexture(const gpu::Context& context, const Fields& fields, 
     std::vector<ExtentTexel> texels(countOf(atlas.size), ExtentTexel{});
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         copyBox(extentTexels(*fields.insets[i].grids), sizes[i], atlas.first[i], atlas.size, texels);
-        block.insets[i].extentFirst = atlas.first[i];
+        rows[i].extentFirst = atlas.first[i];
     }
     texture.upload(texels.data());
     block.insetExtentScale = 1.0f / glm::vec3(atlas.size);
     return texture;
 }
 
-gpu::InsetsBlock blockOf(const Fields& fields) {
-    gpu::InsetsBlock block{};
-    block.insetCount = int(fields.insets.size());
-    for (std::size_t i = 0; i < fields.insets.size(); ++i) {
+std::vector<gpu::InsetRows> rowsOf(const Fields& fields) {
+    std::vector<gpu::InsetRows> rows(fields.insets.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
         const InsetGrids& grids = *fields.insets[i].grids;
-        block.insets[i].size = grids.lattice.size;
-        block.insets[i].displaces = grids.displaces ? 1 : 0;
+        rows[i].size = grids.lattice.size;
+        rows[i].displaces = grids.displaces ? 1 : 0;
         for (std::size_t q = 0; q < grids.quantities.size(); ++q) {
-            block.insets[i].everywhere[q] = grids.quantities[q].everywhere;
+            rows[i].everywhere[q] = grids.quantities[q].everywhere;
         }
     }
-    return block;
+    return rows;
 }
 
 /// Rows of the map from the device's coordinates to an inset's voxels, counted from its lower corner.
-void place(const Inset& inset, const Lattice& domain, gpu::InsetBlock& block) {
+void place(const Inset& inset, const Lattice& domain, gpu::InsetRows& rows) {
     const Lattice& lattice = inset.grids->lattice;
     const glm::dmat4 localFromWorld = glm::inverse(inset.worldFromLocal);
     const glm::dvec3 middle = glm::dvec3(localFromWorld * glm::dvec4(middleOf(domain), 1.0));
     for (int row = 0; row < 3; ++row) {
         const glm::dvec3 along(localFromWorld[0][row], localFromWorld[1][row], localFromWorld[2][row]);
-        block.placeFromDevice[row] = glm::vec4(glm::dvec4(along, middle[row] - lattice.min[row]) / lattice.voxel);
+        rows.placeFromDevice[row] = glm::vec4(glm::dvec4(along, middle[row] - lattice.min[row]) / lattice.voxel);
     }
 }
 
+/// Of whole rows.
 std::size_t brickBytes(const Fields& fields) {
-    return countOf((fields.lattice.size + kBrickVoxels - 1) / kBrickVoxels) * sizeof(InsetBrick);
+    const std::size_t bricks = countOf((fields.lattice.size + kBrickVoxels - 1) / kBrickVoxels);
+    return (bricks + gpu::kInsetBricksPerRow - 1) / gpu::kInsetBricksPerRow * gpu::kInsetBricksPerRow * sizeof(InsetBrick);
 }
 
 } // namespace
 
 GpuInsets::GpuInsets(const gpu::Context& context, const Fields& fields, const EffectSet& effects)
-    : block_(blockOf(fields)), places_(context, sizeof block_, "insets"),
-      bricks_(context, brickBytes(fields), "inset bricks"), values_(valueTexture(context, fields, effects, block_)),
-      extents_(extentTexture(context, fields, effects, block_)) {
+    : rows_(rowsOf(fields)), blockBuffer_(context, sizeof block_, "insets"),
+      rowBuffer_(context, rows_.size() * sizeof(gpu::InsetRows), "inset rows"),
+      bricks_(context, brickBytes(fields), "inset bricks"), values_(valueTexture(context, fields, effects, block_, rows_)),
+      extents_(extentTexture(context, fields, effects, block_, rows_)) {
+    blockBuffer_.upload(block_);
     move(fields);
 }
 
 void GpuInsets::move(const Fields& fields) {
-    if (fields.insets.size() != std::size_t(block_.insetCount)) throw std::logic_error("other insets than those that move");
-    for (std::size_t i = 0; i < fields.insets.size(); ++i) place(fields.insets[i], fields.lattice, block_.insets[i]);
-    places_.upload(block_);
+    if (fields.insets.size() != rows_.size()) throw std::logic_error("other insets than those that move");
+    for (std::size_t i = 0; i < rows_.size(); ++i) place(fields.insets[i], fields.lattice, rows_[i]);
+    rowBuffer_.upload(std::span<const gpu::InsetRows>(rows_));
     const DenseGrid<InsetBrick> bricks = insetBricksOf(fields);
     bounds_ = boundsOf(bricks);
     bricks_.upload(std::span<const InsetBrick>(bricks.values));
 }
 
 void GpuInsets::bind() const {
-    places_.bindUniform(gpu::kUniformInsets);
-    bricks_.bindStorage(gpu::kStorageInsetBricks);
+    blockBuffer_.bindUniform(gpu::kUniformInsets);
+    rowBuffer_.bindTexels(gpu::kUnitInsetRows);
+    bricks_.bindTexels(gpu::kUnitInsetBricks);
     values_.bind(gpu::kUnitInsetValues);
     extents_.bind(gpu::kUnitInsetExtents);
 }

@@ -10,6 +10,7 @@
 #include "common/effects.h"
 #include "common/fields.h"
 #include "common/gpu/objects.h"
+#include "common/gpu/row_buffer.h"
 #include "common/inset_bricks.h"
 #include "shaders/shared/inset_blocks.h"
 
@@ -28,8 +29,10 @@ public:
     std::vector<std::pair<std::string, std::size_t>> textures() const;
 
 private:
-    gpu::InsetsBlock block_;
-    gpu::Buffer places_, bricks_;
+    gpu::InsetsBlock block_{};
+    std::vector<gpu::InsetRows> rows_;
+    gpu::Buffer blockBuffer_;
+    gpu::RowBuffer rowBuffer_, bricks_;
     gpu::Texture3D values_, extents_;
     InsetBounds bounds_;
 };

@@ -5,13 +5,20 @@
 
 layout(binding = kUnitInsetValues) uniform sampler3D insetValues;
 layout(binding = kUnitInsetExtents) uniform sampler3D insetExtents;
-layout(std430, binding = kStorageInsetBricks) readonly buffer InsetBricks { uvec2 insetBricks[]; };
+layout(binding = kUnitInsetRows) uniform usamplerBuffer insetRows;
+layout(binding = kUnitInsetBricks) uniform usamplerBuffer insetBricks;
+
+uvec4 rowOf(int inset, int row) {
+    return texelFetch(insetRows, kRowsPerInset * inset + row);
+}
 
 uvec2 insetBrickAt(vec3 x) {
     ivec3 count = (domain.size + kBrickVoxels - 1) / kBrickVoxels;
     ivec3 brick = ivec3(floor((x - domain.min) / (float(kBrickVoxels) * domain.voxel)));
     brick = clamp(brick, ivec3(0), count - 1);
-    return insetBricks[(brick.z * count.y + brick.y) * count.x + brick.x];
+    int index = (brick.z * count.y + brick.y) * count.x + brick.x;
+    uvec4 row = texelFetch(insetBricks, index / kInsetBricksPerRow);
+    return index % kInsetBricksPerRow == 0 ? row.xy : row.zw;
 }
 
 // A bit for each inset that may be about x.
@@ -24,70 +31,103 @@ float finestVoxelAbout(vec3 x) {
     return uintBitsToFloat(insetBrickAt(x).y);
 }
 
-// Place in an inset's lattice [its voxels from its lower corner].
-vec3 placeIn(int inset, vec3 x) {
-    vec4 at = vec4(x, 1.0);
-    return vec3(dot(insets[inset].placeFromDevice[0], at), dot(insets[inset].placeFromDevice[1], at),
-                dot(insets[inset].placeFromDevice[2], at));
+struct Inset {
+    int number;
+    vec4 placeFromDevice[3];  // rows of the map to its lattice
+    ivec3 size;               // voxels
+    bool displaces;           // whether it has matter of its own
+};
+
+Inset insetOf(int number) {
+    Inset inset;
+    inset.number = number;
+    for (int axis = 0; axis < 3; ++axis) {
+        inset.placeFromDevice[axis] = uintBitsToFloat(rowOf(number, kInsetPlaceRow + axis));
+    }
+    ivec4 size = ivec4(rowOf(number, kInsetSizeRow));
+    inset.size = size.xyz;
+    inset.displaces = size.w != 0;
+    return inset;
 }
 
-bool liesWithin(int inset, vec3 place) {
-    return all(greaterThanEqual(place, vec3(0.0))) && all(lessThanEqual(place, vec3(insets[inset].size)));
+// Place in an inset's lattice [its voxels from its lower corner].
+vec3 placeIn(Inset inset, vec3 x) {
+    vec4 at = vec4(x, 1.0);
+    return vec3(dot(inset.placeFromDevice[0], at), dot(inset.placeFromDevice[1], at), dot(inset.placeFromDevice[2], at));
+}
+
+bool liesWithin(Inset inset, vec3 place) {
+    return all(greaterThanEqual(place, vec3(0.0))) && all(lessThanEqual(place, vec3(inset.size)));
 }
 
 // Whether matter at a place in its lattice may be an inset's own.
-bool displaces(int inset, vec3 place) {
-    return insets[inset].displaces != 0 && liesWithin(inset, place);
+bool displaces(Inset inset, vec3 place) {
+    return inset.displaces && liesWithin(inset, place);
 }
 
 // Between the outermost voxels' centres nothing of an atlas's neighbours is seen.
-vec3 betweenCentres(int inset, vec3 place) {
-    return clamp(place, vec3(0.5), vec3(insets[inset].size) - 0.5);
+vec3 betweenCentres(Inset inset, vec3 place) {
+    return clamp(place, vec3(0.5), vec3(inset.size) - 0.5);
 }
 
-bool varies(int inset, int quantity) {
-    return insets[inset].first[quantity].w != 0;
+// Where a quantity of an inset lies in the atlas of values.
+struct InsetBox {
+    vec3 first;
+    bool varies;  // else it has no place there
+};
+
+InsetBox boxOf(Inset inset, int quantity) {
+    uvec4 row = rowOf(inset.number, kFirstInsetBoxRow + quantity);
+    return InsetBox(vec3(row.xyz), row.w != 0u);
 }
 
-// Of a quantity that varies.
-vec4 sampleValue(int inset, int quantity, vec3 place) {
-    vec3 texel = vec3(insets[inset].first[quantity].xyz) + betweenCentres(inset, place);
-    return sampleTrilinear(insetValues, texel * insetValueScale);
+vec4 sampleBox(Inset inset, InsetBox box, vec3 place) {
+    return sampleTrilinear(insetValues, (box.first + betweenCentres(inset, place)) * insetValueScale);
+}
+
+// Of a quantity that does not vary.
+vec4 everywhereOf(Inset inset, int quantity) {
+    return uintBitsToFloat(rowOf(inset.number, kFirstInsetValueRow + quantity));
 }
 
 // What the object holds of a quantity that goes with its coverage, times that.
-vec4 sampleOwn(int inset, int quantity, vec3 place, vec4 coverage) {
-    return varies(inset, quantity) ? sampleValue(inset, quantity, place) : coverage * insets[inset].everywhere[quantity];
+vec4 sampleOwn(Inset inset, int quantity, vec3 place, vec4 coverage) {
+    InsetBox box = boxOf(inset, quantity);
+    return box.varies ? sampleBox(inset, box, place) : coverage * everywhereOf(inset, quantity);
 }
 
-float sampleArea(int inset, vec3 place) {
-    vec3 texel = vec3(insets[inset].extentFirst) + betweenCentres(inset, place);
-    return sampleTrilinear(insetExtents, texel * insetExtentScale).r;
+ivec3 extentFirstOf(Inset inset) {
+    return ivec3(rowOf(inset.number, kInsetExtentRow).xyz);
+}
+
+float sampleArea(Inset inset, vec3 place) {
+    return sampleTrilinear(insetExtents, (vec3(extentFirstOf(inset)) + betweenCentres(inset, place)) * insetExtentScale).r;
 }
 
 // The voxel that a place lies in.
-ivec3 voxelOf(int inset, vec3 place) {
-    return clamp(ivec3(floor(place)), ivec3(0), insets[inset].size - 1);
+ivec3 voxelOf(Inset inset, vec3 place) {
+    return clamp(ivec3(floor(place)), ivec3(0), inset.size - 1);
 }
 
-bool isInBand(int inset, vec3 place) {
-    return texelFetch(insetExtents, insets[inset].extentFirst + voxelOf(inset, place), 0).g > 0.5;
+bool isInBand(Inset inset, vec3 place) {
+    return texelFetch(insetExtents, extentFirstOf(inset) + voxelOf(inset, place), 0).g > 0.5;
 }
 
 // Gradients by the inset's voxels in rgb, turned to the domain's axes [1 / scene unit].
-vec4 turned(int inset, vec4 value) {
-    vec3 gradient = value.r * insets[inset].placeFromDevice[0].xyz + value.g * insets[inset].placeFromDevice[1].xyz +
-                    value.b * insets[inset].placeFromDevice[2].xyz;
+vec4 turned(Inset inset, vec4 value) {
+    vec3 gradient = value.r * inset.placeFromDevice[0].xyz + value.g * inset.placeFromDevice[1].xyz +
+                    value.b * inset.placeFromDevice[2].xyz;
     return vec4(gradient, value.a);
 }
 
 // Gradient and value of the domain's index, or of its Cauchy's B, and what insets put over it.
 vec4 overDomain(vec3 x, vec4 below, int quantity) {
     for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {
-        int inset = findLSB(left);
+        Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
-        if (varies(inset, kInsetCoverage) && liesWithin(inset, place)) {
-            vec4 coverage = sampleValue(inset, kInsetCoverage, place);
+        InsetBox covered = boxOf(inset, kInsetCoverage);
+        if (covered.varies && liesWithin(inset, place)) {
+            vec4 coverage = sampleBox(inset, covered, place);
             vec4 own = sampleOwn(inset, quantity, place, coverage);
             below = composedOver(below, turned(inset, coverage), turned(inset, own));
         }
@@ -99,13 +139,14 @@ vec4 overDomain(vec3 x, vec4 below, int quantity) {
 bool bandOverDomain(vec3 x, bool below) {
     const float kBuried = 0.997;
     for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {
-        int inset = findLSB(left);
+        Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
-        if (varies(inset, kInsetCoverage) && liesWithin(inset, place)) {
+        InsetBox covered = boxOf(inset, kInsetCoverage);
+        if (covered.varies && liesWithin(inset, place)) {
             if (isInBand(inset, place)) {
                 below = true;
             } else if (below) {
-                below = sampleValue(inset, kInsetCoverage, place).a < kBuried;
+                below = sampleBox(inset, covered, place).a < kBuried;
             }
         }
     }
@@ -115,10 +156,10 @@ bool bandOverDomain(vec3 x, bool below) {
 // Factor on what a boundary reflects in rgb, roughness in alpha.
 vec4 surfaceOverDomain(vec3 x, vec4 below) {
     for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {
-        int inset = findLSB(left);
+        Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
-        if (varies(inset, kInsetCoverage) && liesWithin(inset, place) && isInBand(inset, place)) {
-            below = insets[inset].everywhere[kInsetSurface];
+        if (boxOf(inset, kInsetCoverage).varies && liesWithin(inset, place) && isInBand(inset, place)) {
+            below = everywhereOf(inset, kInsetSurface);
         }
     }
     return below;
@@ -127,7 +168,7 @@ vec4 surfaceOverDomain(vec3 x, vec4 below) {
 // Absorption or emission, by area coverage.
 vec3 matterOverDomain(vec3 x, vec3 below, int quantity) {
     for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {
-        int inset = findLSB(left);
+        Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
         if (displaces(inset, place)) {
             float area = sampleArea(inset, place);
@@ -144,7 +185,7 @@ float meanOf(vec3 bands) {
 // Scattering in rgb, g in alpha: averaged with the scattering that it belongs to as weight.
 vec4 scatteringOverDomain(vec3 x, vec4 below) {
     for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {
-        int inset = findLSB(left);
+        Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
         if (displaces(inset, place)) {
             float area = sampleArea(inset, place);
@@ -161,7 +202,7 @@ vec4 scatteringOverDomain(vec3 x, vec4 below) {
 // Albedo in rgb, coverage by opaque matter in alpha, which transparent matter takes away.
 vec4 opaqueOverDomain(vec3 x, vec4 below) {
     for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {
-        int inset = findLSB(left);
+        Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
         if (liesWithin(inset, place)) {
             float area = sampleArea(inset, place);

@@ -17,9 +17,9 @@ using glm::vec4;
 #endif
 
 const int kUniformInsets = 3;
-const int kStorageInsetBricks = 3;  // two words a brick of the domain: bits of the insets about it; their finest voxel over
-                                    // the domain's, a float that is 1 at most. Kernels with a display have no fields
 
+// Two words a brick of the domain: bits of the insets about it; their finest voxel over the domain's, a float that is 1 at most.
+const int kInsetBricksPerRow = 2;
 const int kMostInsets = 32;  // a bit each
 
 // Quantities of an inset: four numbers at each of its voxels, or the same four everywhere.
@@ -33,32 +33,43 @@ const int kInsetOpaque = 6;      // albedo in rgb, coverage by opaque matter in 
 const int kInsetSurface = 7;     // everywhere: factor on what its boundary reflects in rgb, roughness in alpha
 const int kInsetQuantities = 8;
 
-struct InsetBlock {
+// Rows of four words, read as texels.
+const int kInsetPlaceRow = 0;
+const int kInsetSizeRow = 3;
+const int kInsetExtentRow = 4;
+const int kFirstInsetBoxRow = 5;
+const int kFirstInsetValueRow = kFirstInsetBoxRow + kInsetQuantities;
+const int kRowsPerInset = kFirstInsetValueRow + kInsetQuantities;
+
+#ifdef __cplusplus
+struct InsetRows {
     vec4 placeFromDevice[3];  // rows of the map to the inset's lattice [its voxels from its lower corner]
     ivec3 size;               // voxels
     int displaces;            // 1: its matter takes the place of what it lies over; 0: it is opaque, and has none
     ivec3 extentFirst;        // first texel in the atlas of extents
-    int insetPad;
+    int pad;
     ivec4 first[kInsetQuantities];    // first texel in the atlas of values; w: 1, or 0 where the quantity is `everywhere`
     vec4 everywhere[kInsetQuantities];
 };
 
-#ifdef __cplusplus
+static_assert(offsetof(InsetRows, placeFromDevice) == 16 * kInsetPlaceRow && offsetof(InsetRows, size) == 16 * kInsetSizeRow);
+static_assert(offsetof(InsetRows, displaces) == 16 * kInsetSizeRow + 12 &&
+              offsetof(InsetRows, extentFirst) == 16 * kInsetExtentRow);
+static_assert(offsetof(InsetRows, first) == 16 * kFirstInsetBoxRow && offsetof(InsetRows, everywhere) == 16 * kFirstInsetValueRow);
+static_assert(sizeof(InsetRows) == 16 * kRowsPerInset);
+
 struct InsetsBlock {
 #else
 layout(std140, binding = kUniformInsets) uniform InsetsBlock {
 #endif
     vec3 insetValueScale;   // texture coordinate per texel of the atlas of values
-    int insetCount;
+    float insetPadA;
     vec3 insetExtentScale;  // the same of extents
-    int insetsPad;
-    InsetBlock insets[kMostInsets];
+    float insetPadB;
 };
 
 #ifdef __cplusplus
-static_assert(offsetof(InsetBlock, size) == 48 && offsetof(InsetBlock, extentFirst) == 64);
-static_assert(offsetof(InsetBlock, first) == 80 && offsetof(InsetBlock, everywhere) == 208 && sizeof(InsetBlock) == 336);
-static_assert(offsetof(InsetsBlock, insets) == 32 && sizeof(InsetsBlock) == 32 + kMostInsets * sizeof(InsetBlock));
+static_assert(sizeof(InsetsBlock) == 32);
 
 } // namespace eikonal::gpu
 #endif
