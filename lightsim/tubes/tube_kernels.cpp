@@ -19,6 +19,11 @@ bool hasOpaque(const std::vector<std::string>& defines) {
     return std::find(defines.begin(), defines.end(), "EFFECT_OPAQUE") != defines.end();
 }
 
+std::size_t partBytes(const std::vector<std::string>& defines) {
+    const std::size_t lists = hasOpaque(defines) ? TUBE_LISTS : TUBE_CUT_LIST;
+    return sizeof(TubePartsHeader) + lists * TUBE_LIST_PARTS * sizeof(std::uint32_t);
+}
+
 /// A byte a voxel.
 std::size_t freeSampleWords(const std::vector<std::string>& defines, const Lattice& lattice) {
     return hasOpaque(defines) ? (lattice.count() + 3) / 4 : 0;
@@ -38,7 +43,7 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       presences_(context, kPresenceHeader + capacity * sizeof(TubePresence), "tube presences"),
       measures_(context, capacity * sizeof(TubeMeasure), "tube measures"),
       reflections_(context, followsReflections ? capacity * sizeof(TubeReflections) : 0, "tube reflections"),
-      parts_(context, sizeof(TubePartsHeader) + TUBE_LISTS * TUBE_LIST_PARTS * sizeof(std::uint32_t), "tube parts"),
+      parts_(context, partBytes(defines), "tube parts"),
       freeSamples_(context, freeSampleWords(defines, lattice) * sizeof(std::uint32_t), "free samples"),
       ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
       settingsBlock_(context, sizeof(BakeSettings), "bake settings"),

@@ -25,7 +25,7 @@ using glm::vec4;
 #define TUBE_NODES_BINDING 6
 #define TUBE_REFLECTIONS_BINDING 7   // trace, where reflections are followed
 #define TUBE_PARTS_BINDING 1     // deposit: lists of the parts of cells; the sums lie at 2 to 7
-#define TUBE_FREE_SAMPLES_BINDING 0  // the same, in voxels that opaque matter cuts
+#define TUBE_FREE_SAMPLES_BINDING 0  // the same: samples in front of the opaque matter that cuts a voxel
 #define TUBE_EIKONAL_BINDING 2   // deposit of the eikonal, in place of the sums
 #define TUBE_SORT_RECORDS_BINDING 5  // sort: cells and the lists of their parts, beside the tracks
 #define TUBE_SORT_PARTS_BINDING 7
@@ -117,7 +117,7 @@ struct TubeCell {
     vec4 shares[8];   // share of the launched power that is left at the corners, by band
     vec4 volumes[2];  // at the corners: root of the volume per u, v and t over the relative power there [voxels^(3/2)]
     vec3 power;       // launched into the sub-cell, by band
-    float linePower; // power x length that need not be split into more lines [x voxels]
+    float linePower;  // power x length that need not be split into more lines [x voxels]
     vec4 litParts;    // of the steps at the corners: what lies in front of opaque matter
 };
 
@@ -128,7 +128,7 @@ struct TubeCell {
 #define TUBE_DEPOSIT_LISTS 3
 #define TUBE_EVEN_LIST 3      // cells, by their first part: volumes and parts are still to come
 #define TUBE_UNEVEN_LIST 4    // parts that are still to be sorted
-#define TUBE_CUT_LIST 5       // gathered parts that reach into voxels which opaque matter cuts
+#define TUBE_CUT_LIST 5       // gathered parts that reach into voxels which opaque matter cuts; last, for without it there is none
 #define TUBE_LISTS 6
 #define TUBE_LIST_PARTS (4u * TUBE_MAX_JOBS * TUBE_MAX_PARTS)
 

@@ -104,10 +104,6 @@ Box samplesIn(Box box) {
     return Box(ceil(box.first * across - 0.5), floor(box.end * across - 0.5) + 1.0);
 }
 
-vec3 placeOfSample(vec3 number) {
-    return (number + 0.5) / float(samplesAcross());
-}
-
 // Samples of a row along x that may lie in a part: those between the faces of its reach.
 struct Row {
     vec2 number;  // along y and z

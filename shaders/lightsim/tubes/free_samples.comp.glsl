@@ -7,11 +7,11 @@
 layout(local_size_x = BAKE_GROUP_SIZE) in;
 
 uint freeSamplesOf(ivec3 voxel) {
-    const int n = kSamplesAcross;
+    const int n = TUBE_SAMPLES_ACROSS_CUT;
     uint count = 0u;
     for (int i = 0; i < n * n * n && isCut(voxel); ++i) {
-        vec3 place = (vec3(ivec3(i % n, i / n % n, i / (n * n))) + 0.5) / float(n);
-        count += isSolid(domain.min + (vec3(voxel) + place) * domain.voxel) ? 0u : 1u;
+        ivec3 number = voxel * n + ivec3(i % n, i / n % n, i / (n * n));
+        count += isSolid(domain.min + placeOfSample(vec3(number)) * domain.voxel) ? 0u : 1u;
     }
     return count;
 }

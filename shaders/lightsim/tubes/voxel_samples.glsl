@@ -32,19 +32,19 @@ bool meetsCutVoxel(vec3 low, vec3 high) {
 #ifdef CUT_VOXELS
 #include "lightsim/tubes/free_samples.glsl"
 
-const int kSamplesAcross = TUBE_SAMPLES_ACROSS_CUT;
-
 int samplesAcross() {
-    return kSamplesAcross;
+    return TUBE_SAMPLES_ACROSS_CUT;
 }
 
 bool hasSamples(ivec3 voxel) {
     return isCut(voxel);
 }
 
-// Of the voxel's light that a sample stands for.
+// Of the voxel's light that a sample stands for; where none is in front of the matter, that of any.
 float sampleShareIn(ivec3 voxel) {
-    return freeShareOf(voxel) / max(float(freeSamplesIn(voxel)), 1.0);
+    float across = float(samplesAcross());
+    uint free = freeSamplesIn(voxel);
+    return free > 0u ? freeShareOf(voxel) / float(free) : 1.0 / (across * across * across);
 }
 #else
 
@@ -61,7 +61,12 @@ bool hasSamples(ivec3 voxel) {
 }
 
 float sampleShareIn(ivec3 voxel) {
-    float across = float(tube.samplesPerVoxel);
+    float across = float(samplesAcross());
     return 1.0 / (across * across * across);
 }
 #endif
+
+// A sample's place [voxels], from its number along each axis of the domain.
+vec3 placeOfSample(vec3 number) {
+    return (number + 0.5) / float(samplesAcross());
+}
