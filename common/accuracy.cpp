@@ -18,7 +18,7 @@ void require(const Scene& scene, bool available, const char* key, const char* ex
 
 } // namespace
 
-Interpolation interpolationOf(const Accuracy& accuracy) {
+Interpolation interpolationOfImages(const Accuracy& accuracy) {
     if (accuracy.interpolation != Interpolation::kAuto) return accuracy.interpolation;
     return accuracy.tolerance < kCubicBelow ? Interpolation::kCubic : Interpolation::kLinear;
 }

@@ -12,8 +12,9 @@ constexpr double kAutoStepVoxels = 0.75;
 
 inline double stepVoxelsOf(const Accuracy& accuracy) { return accuracy.stepVoxels.value_or(kAutoStepVoxels); }
 
-/// Linear, or cubic below a tolerance that linear interpolation on voxels does not reach (docs/accuracy.md).
-Interpolation interpolationOf(const Accuracy& accuracy);
+/// Of the index along viewing rays: linear, or cubic below a tolerance that linear interpolation on voxels does not reach
+/// (docs/accuracy.md).
+Interpolation interpolationOfImages(const Accuracy& accuracy);
 /// Of viewing rays: leapfrog unless another is asked for.
 Integrator integratorOf(const Accuracy& accuracy);
 

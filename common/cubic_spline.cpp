@@ -1,9 +1,12 @@
 #include "common/cubic_spline.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 namespace eikonal {
 
@@ -56,6 +59,30 @@ void interpolateAlong(int axis, DenseGrid<float>& grid) {
     });
 }
 
+/// Squares of second and of fourth differences.
+struct Squares {
+    double second = 0.0, fourth = 0.0;
+
+    Squares operator+(const Squares& other) const { return {second + other.second, fourth + other.fourth}; }
+};
+
+/// Of a voxel along all axes that have two neighbours on either side.
+Squares squaresAt(const DenseGrid<float>& samples, const glm::ivec3& voxel) {
+    Squares sum;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (voxel[axis] < 2 || voxel[axis] >= samples.size[axis] - 2) continue;
+        const auto at = [&](int offset) {
+            glm::ivec3 neighbour = voxel;
+            neighbour[axis] += offset;
+            return double(samples.at(neighbour));
+        };
+        const double second = at(-1) - 2.0 * at(0) + at(1);
+        const double fourth = at(-2) - 4.0 * (at(-1) + at(1)) + 6.0 * at(0) + at(2);
+        sum = sum + Squares{second * second, fourth * fourth};
+    }
+    return sum;
+}
+
 } // namespace
 
 DenseGrid<float> splineCoefficients(const DenseGrid<float>& samples) {
@@ -70,6 +97,21 @@ DenseGrid<float> splineCoefficients(const DenseGrid<float>& samples) {
     }
     for (int axis = 0; axis < 3; ++axis) interpolateAlong(axis, grid);
     return grid;
+}
+
+double kinkShare(const DenseGrid<float>& samples) {
+    const auto ofLayers = [&](const tbb::blocked_range<int>& layers, Squares sum) {
+        for (int k = layers.begin(); k != layers.end(); ++k)
+            for (int j = 0; j < samples.size.y; ++j)
+                for (int i = 0; i < samples.size.x; ++i) sum = sum + squaresAt(samples, {i, j, k});
+        return sum;
+    };
+    const Squares sum =
+        tbb::parallel_deterministic_reduce(tbb::blocked_range<int>(0, samples.size.z), Squares{}, ofLayers, std::plus<>());
+    // A kink t of the way from one voxel to the next has second differences 1 - t and t, from 0 and to 0: fourth ones have
+    // 6 (1 - t)² + 6 t² - 8 t (1 - t) of squares.
+    constexpr double kOfKinks = 4.0;
+    return sum.second > 0.0 ? sum.fourth / (kOfKinks * sum.second) : 0.0;
 }
 
 SplinePlace splinePlace(const Lattice& lattice, const glm::dvec3& x) {

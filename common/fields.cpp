@@ -7,10 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "common/accuracy.h"
 #include "common/compose_layer.h"
 #include "common/compose_matter.h"
-#include "common/cubic_spline.h"
 #include "common/error.h"
 #include "common/insets.h"
 #include "common/spectral_fields.h"
@@ -42,8 +40,6 @@ Fields composedOnDomain(const Scene& scene, const IsIncluded& isIncluded) {
         if (isIncluded(scene.objects[i]))
             composeLayer(layerOf(scene, scene.objects[i], i, fields.lattice), fields);
     finishFields(fields);
-    if (interpolationOf(scene.accuracy) == Interpolation::kCubic && !fields.ior.empty())
-        fields.iorSpline = splineCoefficients(fields.ior);
     requireIndexAt(fields, kLongestVisibleMicrons, scene.source);
     return fields;
 }

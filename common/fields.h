@@ -25,7 +25,6 @@ struct Fields {
     Lattice lattice;
     DenseGrid<float> ior;              ///< refractive index n
     DenseGrid<glm::vec3> iorGradient;  ///< fourth-order central differences of n [1 / scene unit]; empty where n is uniform
-    DenseGrid<float> iorSpline;        ///< of a cubic B-spline (splineCoefficients); empty: n and gradient interpolate linearly
     DenseGrid<float> cauchyB;            ///< Cauchy's B [µm²]: n is that at 0.5876 µm; empty: nothing disperses
     DenseGrid<glm::vec3> cauchyGradient;  ///< differences of it like those of n; present with cauchyB
     DenseGrid<unsigned char> interface;  ///< 255 inside the band of a boundary that changes n, 0 elsewhere; empty: none

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/cubic_spline.h"
 #include "common/device_frame.h"
 #include "common/insets.h"
 #include "common/physics.h"
@@ -113,7 +114,7 @@ gpu::Texture3D colourTexture(const gpu::Context& context, const DenseGrid<glm::v
     return texture;
 }
 
-GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects)
+GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects, Interpolation interpolation)
     : cauchyOverRefractivity_(cauchyOverRefractivity(fields)), block_(domainBlock(fields)),
       domain_(context, sizeof block_, "domain"), defines_(effects.defines()) {
     domain_.upload(block_);
@@ -126,8 +127,8 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
         textures_.push_back({unit, onlyInInsets ? colourTexture(context, oneVoxel(glm::vec3(0.0f)), oneVoxel(alphaOfNothing), label)
                                                 : colourTexture(context, grid, alpha, label)});
     };
-    if (effects.has(Effect::kRefraction) && !fields.iorSpline.empty()) {
-        textures_.push_back({gpu::kUnitOptics, splineTexture(context, fields.iorSpline)});
+    if (effects.has(Effect::kRefraction) && interpolation == Interpolation::kCubic && !fields.ior.empty()) {
+        textures_.push_back({gpu::kUnitOptics, splineTexture(context, splineCoefficients(fields.ior))});
         defines_.push_back("CUBIC_INTERPOLATION");
     } else {
         add(Effect::kRefraction, gpu::kUnitOptics, "optics", fields.iorGradient, fields.ior, fields.iorUniform);

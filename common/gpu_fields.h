@@ -17,9 +17,10 @@ namespace eikonal {
 
 class GpuFields {
 public:
-    /// Uploads the grids of every effect that is on. Throws badInput for a lattice beyond the device's 3D textures,
-    /// std::logic_error for an effect whose grid is missing.
-    GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects);
+    /// Uploads the grids of every effect that is on; `interpolation`, linear or cubic, is that of the index on the domain's
+    /// lattice. Throws badInput for a lattice beyond the device's 3D textures, std::logic_error for an effect whose grid is missing.
+    GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
+              Interpolation interpolation = Interpolation::kLinear);
 
     /// The wavelength of what is dispatched from now on; at first the reference's, of which `ior` is the index. Without
     /// dispersion it makes no difference.

@@ -18,7 +18,7 @@ std::size_t bytesOf(const DenseGrid<Value>& grid) {
 
 std::size_t bytesOf(Effect effect, const Fields& fields) {
     switch (effect) {
-    case Effect::kRefraction: return bytesOf(fields.ior) + bytesOf(fields.iorGradient) + bytesOf(fields.iorSpline);
+    case Effect::kRefraction: return bytesOf(fields.ior) + bytesOf(fields.iorGradient);
     case Effect::kAbsorption: return bytesOf(fields.sigmaA);
     case Effect::kScattering: return bytesOf(fields.sigmaS) + bytesOf(fields.anisotropy);
     case Effect::kEmission: return bytesOf(fields.emission);

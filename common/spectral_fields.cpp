@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "common/cubic_spline.h"
 #include "common/error.h"
 #include "common/insets.h"
 #include "common/physics.h"
@@ -71,9 +70,6 @@ Fields fieldsOfBand(const Fields& fields, const SpectralBand& band) {
         n = float(f64::dispersedIndex(n, fields.cauchyB.values[voxel], term));
         glm::vec3& gradient = result.iorGradient.values[voxel];
         gradient = glm::vec3(f64::dispersedGradient(glm::dvec3(gradient), glm::dvec3(fields.cauchyGradient.values[voxel]), term));
-    }
-    if (!fields.iorSpline.empty()) {
-        result.iorSpline = splineCoefficients(result.ior);
     }
     result.cauchyB = {};
     result.cauchyGradient = {};

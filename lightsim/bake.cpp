@@ -90,6 +90,7 @@ struct LightSimulator::Device {
 LightSimulator::LightSimulator(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                const EffectSet& effects, const BakeOptions& options)
     : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options),
+      interpolation_(bake::interpolationOfLight(scene.accuracy, fields.ior)),
       lobeCriterion_(std::make_unique<bake::LobeCriterion>(scene.accuracy, fields, effects)) {
     requireIntegratorOfLight(scene);
     bake::requireKnownByBand(scene, effects, options);
@@ -106,12 +107,12 @@ LightSimulator::Device& LightSimulator::deviceFor(int bands, const Fields& field
     const EffectSet effects = effects_.without(Effect::kDispersion);  // the fields are those of one wavelength
     if (!device_ || device_->bands != bands) {
         device_.reset();  // the old one's memory before the new one's
-        device_ = std::make_unique<Device>(Device{GpuFields(context_, fields, effects), bands, nullptr});
+        device_ = std::make_unique<Device>(Device{GpuFields(context_, fields, effects, interpolation_), bands, nullptr});
         device_->method =
             bake::makeMethod(context_, {fields_, accuracy_, definesOf(device_->fields, bands), bands, blockBytes()}, options_,
                              grids, settings);
     } else if (&fields != &fields_) {
-        device_->fields = GpuFields(context_, fields, effects);
+        device_->fields = GpuFields(context_, fields, effects, interpolation_);
     }
     if (&fields != &fields_) {
         device_->method->setFields(context_, fields);
@@ -138,6 +139,7 @@ BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& sceneLig
     const LightSet lights = bake::inPowerUnits(sceneLights, powerUnit);
     BakeResult result{darkness(fields.lattice, options.eikonal), {}, {}};
     result.statistics.device = context_.rendererName();
+    result.statistics.interpolation = interpolation_;
     const bake::Criteria criteria = bake::criteriaOf(accuracy_, fields, options.meshScale);
     const bake::LaunchGrids grids = bake::launchGrids(lights, fields.lattice, criteria);
     result.statistics.energy.emitted = grids.emitted;

@@ -86,6 +86,7 @@ struct BakeStatistics {
     EnergyLedger energy;            ///< where something disperses, the linear Rec.709 of all bands
     std::vector<BandLedger> bands;  ///< where something disperses; else empty
     std::string device;
+    Interpolation interpolation = Interpolation::kLinear;  ///< of the index
     std::size_t memoryBytes = 0;  ///< of buffers and textures that stay
     std::size_t lobeVoxels = 0;   ///< that have several lobes
 
@@ -130,6 +131,7 @@ private:
     const Fields& fields_;
     EffectSet effects_;
     BakeOptions options_;
+    Interpolation interpolation_;  ///< of the index
     std::unique_ptr<bake::LobeCriterion> lobeCriterion_;
     std::unique_ptr<Device> device_;
 };

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/cubic_spline.h"
 #include "lightsim/settings.h"
 
 namespace eikonal {
@@ -26,17 +25,10 @@ double averagingWeightOf(const Accuracy& accuracy, const Fields& fields) {
     return hat / (samples * samples);
 }
 
-std::optional<Fields> splineOf(const Fields& fields, const EffectSet& effects) {
-    if (!effects.has(Effect::kRefraction) || fields.ior.empty() || !fields.iorSpline.empty()) {
-        return std::nullopt;
-    }
-    Fields cubic = fields;
-    cubic.iorSpline = splineCoefficients(fields.ior);
-    return cubic;
-}
-
-/// One direction in each voxel and no eikonal: irradiance is all that is compared.
-Scene irradianceOnly(Scene scene) {
+/// One direction in each voxel and no eikonal: irradiance is all that is compared. The index is interpolated in the other way.
+Scene secondLookOf(Scene scene, const Fields& fields) {
+    const bool isLinear = bake::interpolationOfLight(scene.accuracy, fields.ior) == Interpolation::kLinear;
+    scene.accuracy.interpolation = isLinear ? Interpolation::kCubic : Interpolation::kLinear;
     scene.accuracy.directional = Directional::kMean;
     return scene;
 }
@@ -70,8 +62,8 @@ bool hasErrorEstimate(const Accuracy& accuracy) { return accuracy.deposit != Dep
 
 BakeErrorEstimator::BakeErrorEstimator(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                        const EffectSet& effects, BakeOptions options)
-    : averagingWeight_(averagingWeightOf(scene.accuracy, fields)), fields_(fields), cubicFields_(splineOf(fields, effects)),
-      secondLook_(context, irradianceOnly(scene), cubicFields_ ? *cubicFields_ : fields_, effects, ofSecondLook(options)) {
+    : averagingWeight_(averagingWeightOf(scene.accuracy, fields)), fields_(fields),
+      secondLook_(context, secondLookOf(scene, fields), fields, effects, ofSecondLook(options)) {
     assert(hasErrorEstimate(scene.accuracy));
 }
 

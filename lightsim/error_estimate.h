@@ -3,7 +3,6 @@
 // cells a quarter longer, through a cubic spline of the index where the bake has linear interpolation.
 
 #include <functional>
-#include <optional>
 
 #include "lightsim/bake.h"
 
@@ -35,7 +34,6 @@ public:
 private:
     double averagingWeight_;
     const Fields& fields_;
-    std::optional<Fields> cubicFields_;
     LightSimulator secondLook_;
 };
 

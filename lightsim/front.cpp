@@ -136,7 +136,8 @@ std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene
     if (!(grids.strongestPower > 0.0)) {
         return {};
     }
-    const GpuFields gpuFields(context, fields, effects.without(Effect::kDispersion));
+    const GpuFields gpuFields(context, fields, effects.without(Effect::kDispersion),
+                              bake::interpolationOfLight(accuracy, fields.ior));
     gpuFields.bind();
     const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);
     bake::Wavefront wavefront(context, gpuFields.defines(), grids, settings);

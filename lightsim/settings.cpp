@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/accuracy.h"
+#include "common/cubic_spline.h"
 #include "common/spectral_fields.h"
 
 namespace eikonal::bake {
@@ -60,6 +62,15 @@ bool isGrey(const Powered& light) {
 
 bool usesPatches(const Accuracy& accuracy) {
     return accuracy.deposit == eikonal::Deposit::kSplat || accuracy.deposit == eikonal::Deposit::kPeak;
+}
+
+Interpolation interpolationOfLight(const Accuracy& accuracy, const DenseGrid<float>& ior) {
+    const Interpolation ofRays = interpolationOfImages(accuracy);
+    if (accuracy.interpolation != Interpolation::kAuto || usesPatches(accuracy)) return ofRays;
+    // Tubes through splines err twice as much as linearly where n is kinked, about half as much where the program has smoothed
+    // it: midway between the two.
+    constexpr double kMostKinks = 0.55;
+    return kinkShare(ior) < kMostKinks ? Interpolation::kCubic : Interpolation::kLinear;
 }
 
 Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields, double meshScale) {

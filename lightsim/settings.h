@@ -22,6 +22,10 @@ struct Criteria {
 /// Patches as in 2007 rather than ray tubes.
 bool usesPatches(const Accuracy& accuracy);
 
+/// Of the index where light bends, on the domain's voxels `ior`. `auto` is cubic for ray tubes, which spend little on the index,
+/// unless most of its curvature is kinks; patches pay for every step, as viewing rays do (docs/accuracy.md).
+Interpolation interpolationOfLight(const Accuracy& accuracy, const DenseGrid<float>& ior);
+
 /// `meshScale` as in BakeOptions.
 Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields, double meshScale = 1.0);
 

@@ -57,6 +57,7 @@ void BakeStatistics::addRun(const BakeStatistics& run) {
         }
     }
     device = run.device;
+    interpolation = run.interpolation;
     memoryBytes = std::max(memoryBytes, run.memoryBytes);
 }
 

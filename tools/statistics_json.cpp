@@ -83,6 +83,7 @@ nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effec
           {"refused_splits", patches.refusedSplits}}},
         {"lobe_voxels", statistics.lobeVoxels},
         {"energy", energyJson(statistics)},
+        {"interpolation", statistics.interpolation == Interpolation::kCubic ? "cubic" : "linear"},
         {"effects", effectsJson(effects)},
         {"device", statistics.device},
         {"memory_bytes", statistics.memoryBytes},

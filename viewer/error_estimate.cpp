@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "common/accuracy.h"
-#include "common/cubic_spline.h"
 #include "viewer/image.h"
 
 namespace eikonal {
@@ -54,9 +53,9 @@ double shareLostByHalving(Integrator integrator) {
     return 1.0 - std::exp2(-order);
 }
 
-Film filmWithCubic(const gpu::Context& context, const Scene& scene, Fields fields, const EffectSet& effects,
+Film filmWithCubic(const gpu::Context& context, Scene scene, const Fields& fields, const EffectSet& effects,
                    const BakedLight* bake, const RenderOptions& options, double stepVoxels) {
-    fields.iorSpline = splineCoefficients(fields.ior);
+    scene.accuracy.interpolation = Interpolation::kCubic;
     ProgressiveImage image(context, scene, fields, effects, bake, options);
     image.setStep(stepVoxels);
     image.setFrame(scene.render.size, {{0, 0}, scene.render.size});
@@ -89,7 +88,7 @@ ErrorEstimate estimateError(const gpu::Context& context, const Scene& scene, con
     estimate.step = rmsApart(own, steppedHalf) / shareLostByHalving(integratorOf(scene.accuracy)) / mean;
     // the samples of one are among those of the other: of independent errors that hides their share of the square
     estimate.sampling = rmsApart(own, sampledMore) / std::sqrt(1.0 - double(samples) / moreThan(samples)) / mean;
-    if (effects.has(Effect::kRefraction) && fields.iorSpline.empty() && !fields.ior.empty()) {
+    if (effects.has(Effect::kRefraction) && !fields.ior.empty() && interpolationOfImages(scene.accuracy) == Interpolation::kLinear) {
         const Film cubic = filmWithCubic(context, sampled, fields, effects, bake, options, halfStep);
         estimate.interpolation = rmsApart(steppedHalf, cubic) / mean;
     }

@@ -62,7 +62,7 @@ struct Tracer {
     Tracer(const gpu::Context& context, const Fields& sceneFields, const EffectSet& sceneEffects,
            const Accuracy& accuracy, const TraceRules& rules, std::size_t rayCount)
         : lattice(sceneFields.lattice), effects(tracedEffects(sceneEffects, rules.boundaries)),
-          fields(context, sceneFields, effects),
+          fields(context, sceneFields, effects, interpolationOfImages(accuracy)),
           clearance(clearanceFor(context, sceneFields, effects, accuracy, rules.flights)),
           defines(allDefines(rules.boundaries)), batch(context, std::min(rayCount, kRaysAtATime)),
           given(context, std::min(rayCount, kRaysAtATime) * sizeof(gpu::GivenRay), "given rays"),

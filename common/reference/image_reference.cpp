@@ -50,7 +50,7 @@ constexpr double kSolid = 0.5;  // coverage at which matter begins
 class Walk {
 public:
     Walk(const ImageScene& scene, const ImageOptions& options)
-        : scene_(scene), options_(options), field_(scene.fields, f64::dispersionTerm(options.wavelengthMicrons)),
+        : scene_(scene), options_(options), field_(scene.field.at(options.wavelengthMicrons)),
           step_(options.stepVoxels * field_.lattice().voxel),
           maxLength_(options.maxPathVoxels * field_.lattice().voxel) {}
 

@@ -14,7 +14,7 @@ using RadianceOf = std::function<glm::dvec3(const glm::dvec3&)>;
 
 /// What there is to see.
 struct ImageScene {
-    const Fields& fields;
+    GridField field;
     const BakedLight* light = nullptr;  ///< nullptr: none
     RadianceOf background;              ///< by unit direction of view
     RadianceOf ambient;                 ///< what a surface of a unit normal receives of it (see ambientOf)

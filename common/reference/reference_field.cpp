@@ -31,9 +31,21 @@ glm::dvec4 splineAt(const DenseGrid<float>& coefficients, const Lattice& lattice
 
 } // namespace
 
+GridField::GridField(const Fields& fields, Interpolation interpolation) : fields_(fields) {
+    if (interpolation == Interpolation::kCubic && !fields.ior.empty()) {
+        spline_ = std::make_shared<const DenseGrid<float>>(splineCoefficients(fields.ior));
+    }
+}
+
+GridField GridField::at(double wavelengthMicrons) const {
+    GridField result = *this;
+    result.dispersionTerm_ = f64::dispersionTerm(wavelengthMicrons);
+    return result;
+}
+
 glm::dvec4 GridField::index(const glm::dvec3& x) const {
-    if (!fields_.iorSpline.empty()) {
-        return splineAt(fields_.iorSpline, fields_.lattice, x);
+    if (spline_) {
+        return splineAt(*spline_, fields_.lattice, x);
     }
     return {trilinear(fields_.iorGradient, fields_.lattice, x), trilinear(fields_.ior, fields_.lattice, x)};
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <type_traits>
 
@@ -42,9 +43,11 @@ auto trilinear(const DenseGrid<Value>& grid, const Lattice& lattice, const glm::
 /// The composed fields, interpolated as the kernels do it.
 class GridField {
 public:
-    /// Fields as light of a wavelength finds them: `dispersionTerm` is 1/wavelength² - 1/wavelength_d² [1/µm²].
-    explicit GridField(const Fields& fields, double dispersionTerm = 0.0)
-        : fields_(fields), dispersionTerm_(dispersionTerm) {}
+    /// The fields must outlive it. `interpolation`, linear or cubic, is that of the index.
+    explicit GridField(const Fields& fields, Interpolation interpolation = Interpolation::kLinear);
+
+    /// The same as light of another wavelength than the reference's finds it.
+    GridField at(double wavelengthMicrons) const;
 
     Optics optics(const glm::dvec3& x) const;
     bool inBand(const glm::dvec3& x) const {
@@ -73,7 +76,8 @@ private:
     }
 
     const Fields& fields_;
-    double dispersionTerm_;
+    std::shared_ptr<const DenseGrid<float>> spline_;  ///< coefficients of the index; nullptr: linear
+    double dispersionTerm_ = 0.0;                     ///< 1/wavelength² - 1/wavelength_d² [1/µm²]
 };
 
 /// Any index in closed form; no matter and no Fresnel terms.

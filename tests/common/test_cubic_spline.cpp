@@ -1,5 +1,7 @@
 // The cubic B-spline through samples: it meets them, is exact for cubics up to the faces, and has its order elsewhere.
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -9,9 +11,7 @@
 namespace eikonal {
 namespace {
 
-using Function = double (*)(const glm::dvec3&);
-
-Fields splineOf(const glm::ivec3& size, double voxel, Function n) {
+Fields samplesOf(const glm::ivec3& size, double voxel, const std::function<double(const glm::dvec3&)>& n) {
     Fields fields;
     fields.lattice = {glm::dvec3(-0.5 * voxel * size.x, 0.3, -1.0), voxel, size};
     fields.ior = DenseGrid<float>(size, 0.0f);
@@ -19,7 +19,6 @@ Fields splineOf(const glm::ivec3& size, double voxel, Function n) {
         for (int j = 0; j < size.y; ++j)
             for (int i = 0; i < size.x; ++i) fields.ior.at(i, j, k) = float(n(fields.lattice.worldFromIndex({i, j, k})));
     fields.iorGradient = gradientOf(fields.ior, voxel);
-    fields.iorSpline = splineCoefficients(fields.ior);
     return fields;
 }
 
@@ -31,8 +30,8 @@ glm::dvec3 within(const Lattice& lattice, const glm::dvec3& share) {
 TEST(CubicSpline, MeetsItsSamplesWhateverTheirNumber) {
     for (const glm::ivec3& size : {glm::ivec3(1), glm::ivec3(2, 3, 4), glm::ivec3(5, 1, 7), glm::ivec3(6)}) {
         const Fields fields =
-            splineOf(size, 0.25, [](const glm::dvec3& x) { return 1.5 + 0.3 * std::sin(5.0 * x.x + 3.0 * x.y - 4.0 * x.z); });
-        const reference::GridField field(fields);
+            samplesOf(size, 0.25, [](const glm::dvec3& x) { return 1.5 + 0.3 * std::sin(5.0 * x.x + 3.0 * x.y - 4.0 * x.z); });
+        const reference::GridField field(fields, Interpolation::kCubic);
         for (int v = 0; v < size.x * size.y * size.z; ++v) {
             const glm::ivec3 voxel(v % size.x, v / size.x % size.y, v / (size.x * size.y));
             // coefficients are floats of about 1.5, of which eight or so weigh much
@@ -43,8 +42,8 @@ TEST(CubicSpline, MeetsItsSamplesWhateverTheirNumber) {
 
 TEST(CubicSpline, IsExactForCubicsUpToTheFaces) {
     const auto n = [](const glm::dvec3& x) { return 1.5 + x.x * x.x * x.x - 0.5 * x.y * x.y * x.z + 0.2 * x.z * x.z * x.z; };
-    const Fields fields = splineOf({9, 8, 7}, 0.125, n);
-    const reference::GridField field(fields);
+    const Fields fields = samplesOf({9, 8, 7}, 0.125, n);
+    const reference::GridField field(fields, Interpolation::kCubic);
     for (const glm::dvec3& share : {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(0.03, 0.97, 0.5), glm::dvec3(0.5, 0.41, 1.0)}) {
         const glm::dvec3 x = within(fields.lattice, share);
         const reference::Optics found = field.optics(x);
@@ -57,8 +56,8 @@ TEST(CubicSpline, IsExactForCubicsUpToTheFaces) {
 /// Largest errors of n and of its gradient at 1000 places up to the faces.
 glm::dvec2 errorsAt(int resolution) {
     const auto n = [](const glm::dvec3& x) { return 1.5 + 0.2 * std::sin(3.0 * x.x + 1.0) * std::cos(2.0 * x.y) * std::exp(x.z); };
-    const Fields fields = splineOf(glm::ivec3(resolution), 2.0 / resolution, n);
-    const reference::GridField field(fields);
+    const Fields fields = samplesOf(glm::ivec3(resolution), 2.0 / resolution, n);
+    const reference::GridField field(fields, Interpolation::kCubic);
     glm::dvec2 worst(0.0);
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 x = within(fields.lattice, glm::fract(glm::dvec3(0.8192, 0.6711, 0.5497) * double(i)));
@@ -80,12 +79,38 @@ TEST(CubicSpline, HasFourthOrderAndItsGradientTheThird) {
 }
 
 TEST(CubicSpline, CountsPlacesBeyondTheOutermostSamplesAsOnThem) {
-    const Fields fields = splineOf(glm::ivec3(6), 0.25, [](const glm::dvec3& x) { return 1.5 + 0.1 * x.x * x.y + 0.2 * x.z; });
-    const reference::GridField field(fields);
+    const Fields fields = samplesOf(glm::ivec3(6), 0.25, [](const glm::dvec3& x) { return 1.5 + 0.1 * x.x * x.y + 0.2 * x.z; });
+    const reference::GridField field(fields, Interpolation::kCubic);
     const glm::dvec3 corner = fields.lattice.worldFromIndex(glm::ivec3(5));
     const reference::Optics at = field.optics(corner), beyond = field.optics(fields.lattice.max() + 0.1);
     EXPECT_EQ(at.n, beyond.n);
     EXPECT_EQ(at.gradN, beyond.gradN);
+}
+
+double kinkShareOf(const std::function<double(const glm::dvec3&)>& n) {
+    return kinkShare(samplesOf(glm::ivec3(24), 1.0, n).ior);
+}
+
+TEST(CubicSpline, IsToldWhereSamplesAreKinked) {
+    const double shift = 0.37;
+    EXPECT_EQ(kinkShareOf([](const glm::dvec3&) { return 1.5; }), 0.0);
+    // a cubic has no fourth differences
+    EXPECT_LT(kinkShareOf([](const glm::dvec3& x) { return 1.5 + 1e-3 * x.x * x.x + 1e-4 * x.z * x.z * x.z; }), 1e-6);
+    // Of an erfc by Fourier's transform: second differences have k⁻² e^(-b²k²) 16 sin⁴(k/2), fourth ones that times 16 sin⁴(k/2).
+    const double width = 1.5;
+    double second = 0.0, fourth = 0.0;
+    for (double k = 0.005; k < std::numbers::pi; k += 0.01) {
+        const double twice = std::pow(2.0 * std::sin(0.5 * k), 4.0), spectrum = twice * std::exp(-width * width * k * k) / (k * k);
+        second += spectrum;
+        fourth += twice * spectrum;
+    }
+    EXPECT_NEAR(kinkShareOf([&](const glm::dvec3& x) { return std::erfc((x.x - shift) / (std::numbers::sqrt2 * width)); }),
+                fourth / (4.0 * second), 1e-4);
+    // that part of the way between two voxels, whose centres are at halves
+    const double t = shift + 0.5, squares = (1.0 - t) * (1.0 - t) + t * t;
+    EXPECT_NEAR(kinkShareOf([&](const glm::dvec3& x) { return 1.5 + 0.1 * std::abs(x.x - shift); }),
+                (6.0 * squares - 8.0 * t * (1.0 - t)) / (4.0 * squares), 1e-4);
+    EXPECT_NEAR(kinkShareOf([&](const glm::dvec3& x) { return x.x < shift ? 1.0 : 1.5; }), 2.5, 1e-6);
 }
 
 } // namespace

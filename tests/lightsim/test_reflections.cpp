@@ -169,12 +169,18 @@ DenseGrid<double> addedBy(const BakeResult& on, const BakeResult& off) {
 
 TEST(Reflections, OfASphereCarryWhatFresnelSays) {
     const Lattice lattice = test::cube(48, 1.0);
-    const Fields fields = glassFields(lattice, 1.5, [](const glm::dvec3& x) { return glm::length(x) - 0.6; });
+    const auto sphereAt = [&](const glm::dvec3& centre) {
+        return glassFields(lattice, 1.5, [=](const glm::dvec3& x) { return glm::length(x - centre) - 0.6; });
+    };
+    const Fields fields = sphereAt(glm::dvec3(0.0));
     const BakeResult off = bakeBeam(fields, {1.0, 0.0, 0.0}, 0);
     const BakeResult on = bakeBeam(fields, {1.0, 0.0, 0.0}, 1);
     const double followed = on.statistics.energy.followed.x;
-    // rays that pass up to 1.03 radii off meet the smoothed rim too, where R is largest: a hundredth of the power
-    EXPECT_NEAR(off.statistics.energy.reflected.x, powerReflectedBySphere(0.6, 1.5), 0.02 * followed);
+    // Rays that pass up to 1.03 radii off meet the smoothed rim too, where R is largest: a hundredth of the power. With where
+    // the rim lies between rays and voxels it varies by as much either way: the mean over two places.
+    const BakeResult aside = bakeBeam(sphereAt(lattice.voxel * glm::dvec3(0.35, 0.45, 0.5)), {1.0, 0.0, 0.0}, 0);
+    EXPECT_NEAR(0.5 * (off.statistics.energy.reflected.x + aside.statistics.energy.reflected.x), powerReflectedBySphere(0.6, 1.5),
+                0.02 * followed);
     // a third of it comes from the last voxel within the rim, where R rises to 1 between rays half a voxel apart
     EXPECT_NEAR(followed, off.statistics.energy.reflected.x, 0.04 * followed);
     EXPECT_NEAR(on.statistics.energy.balance().x, 0.0, 1e-4);

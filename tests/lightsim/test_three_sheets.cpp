@@ -77,8 +77,8 @@ TEST(ThreeSheets, AddUpBehindABall) {
     Fields fields = test::sphereFields(lattice, kRadius, kIndex, width);
     fields.interface = {};
     Scene scene = test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)});
-    // close to a focus tubes leave points of light; at the default of 0.02 single voxels here are off by 4 %, their mean by 1 %
-    scene.accuracy.tolerance = 0.014;
+    // close to a focus tubes leave points of light; at the default of 0.02 single voxels here are off by 4 %, their mean by 2 %
+    scene.accuracy.tolerance = 0.01;
     const BakeResult result = test::bake(scene, fields);
     const std::vector<OutgoingRay> rays = beamThroughBall(width), bent = withoutRim(rays);
     // two voxels from the axis and from the caustic, where irradiance has no bound

@@ -2,7 +2,6 @@
 // double precision. An estimate is right that is off by no more than a factor of three; nine in ten must be.
 #include <cmath>
 
-#include "common/cubic_spline.h"
 #include "common/physics.h"
 #include "common/reference/stepper.h"
 #include "tests/support/lumps.h"
@@ -90,14 +89,14 @@ TEST(ErrorEstimate, IsRightOnFiftyRandomFields) {
 TEST(ErrorEstimate, IsRightOnASphereWhateverTheSetting) {
     const Lattice lattice = test::cube(32, 1.0);
     const reference::SmoothedSphere sphere(0.6, 1.5, 1.5 * lattice.voxel);
-    Fields linear = test::indexFields(lattice, [&](const glm::dvec3& x) { return sphere.optics(x).n; });
-    Fields cubic = linear;
-    cubic.iorSpline = splineCoefficients(cubic.ior);
+    const Fields fields = test::indexFields(lattice, [&](const glm::dvec3& x) { return sphere.optics(x).n; });
     int right = 0, all = 0;
-    for (const Fields* fields : {&linear, &cubic}) {
+    for (const Interpolation interpolation : {Interpolation::kLinear, Interpolation::kCubic}) {
         for (const double step : {0.5, 1.0, 2.0, 4.0}) {
             for (const int samples : {1, 4, 9}) {
-                const double ratio = ratioOf(sphere, *fields, sceneWith(step, samples));
+                Scene scene = sceneWith(step, samples);
+                scene.accuracy.interpolation = interpolation;
+                const double ratio = ratioOf(sphere, fields, scene);
                 right += isRight(ratio) ? 1 : 0;
                 ++all;
             }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "common/cubic_spline.h"
 #include "common/scene_toml.h"
 #include "tests/support/synthetic_fields.h"
 #include "viewer/render.h"
@@ -61,9 +60,9 @@ TEST(Flight, RefractionLooksTheSameWithAFractionOfTheSteps) {
 }
 
 TEST(Flight, CubicInterpolationLooksTheSameToo) {
-    Fields fields = ballFields(96);
-    fields.iorSpline = splineCoefficients(fields.ior);
-    const Comparison image = compared(ballScene(64), fields);
+    Scene scene = ballScene(64);
+    scene.accuracy.interpolation = Interpolation::kCubic;
+    const Comparison image = compared(scene, ballFields(96));
     EXPECT_LE(image.rms(), 1e-3);  // as with linear interpolation: splines of an erfc ring by less than a flight may ignore
     EXPECT_GE(image.stepsSaved(), 4.0);
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "common/cubic_spline.h"
+#include "common/accuracy.h"
 #include "common/physics.h"
 #include "common/reference/image_reference.h"
 #include "common/spectrum.h"
@@ -175,7 +175,8 @@ std::vector<ImageRay> truth(const Setting& setting, double stepVoxels, int strid
     const auto background = [&](const glm::dvec3& direction) {
         return f64::gradientRadiance(direction, around.gradient[0], around.gradient[1]) * around.intensity;
     };
-    const reference::ImageScene scene{setting.fields, &setting.light, background,
+    const reference::GridField field(setting.fields, interpolationOfImages(setting.scene.accuracy));
+    const reference::ImageScene scene{field, &setting.light, background,
                                       setting.fields.opaque.empty() ? background : reference::ambientOf(background)};
     const double half = std::tan(glm::radians(setting.scene.camera.fov) / 2.0);
     std::vector<ImageRay> image;
@@ -236,7 +237,7 @@ TEST(ImageReference, AgreesOnDispersingGlassInSmoke) {
 
 TEST(ImageReference, AgreesOnAnIndexInterpolatedByCubics) {
     Setting setting = glassInSmoke();
-    setting.fields.iorSpline = splineCoefficients(setting.fields.ior);
+    setting.scene.accuracy.interpolation = Interpolation::kCubic;
     expectAgreement(setting, kRounding);
     setting = unevenlyDispersing(setting);
     expectAgreement(setting, kRounding);

@@ -1,7 +1,6 @@
 // The kernel's integrators and ways to interpolate against the same steps in double precision, and the order of each.
 #include <cmath>
 
-#include "common/cubic_spline.h"
 #include "common/reference/stepper.h"
 #include "tests/support/synthetic_fields.h"
 #include "viewer/trace.h"
@@ -26,11 +25,9 @@ const Method kMethods[] = {{"Euler", Integrator::kEuler, &GridStepper::stepEuler
                            {"Sharma", Integrator::kSharma, &GridStepper::stepSharma, 4.0, 3}};
 
 /// A soft lens, n = 1 + 0.4 exp(-r²/0.08), of which 4e-6 is left at the faces of the box.
-Fields softLens(int resolution, Interpolation interpolation) {
-    Fields fields = test::indexFields(test::cube(resolution, 1.0),
-                                      [](const glm::dvec3& x) { return 1.0 + 0.4 * std::exp(-12.5 * glm::dot(x, x)); });
-    if (interpolation == Interpolation::kCubic) fields.iorSpline = splineCoefficients(fields.ior);
-    return fields;
+Fields softLens(int resolution) {
+    return test::indexFields(test::cube(resolution, 1.0),
+                             [](const glm::dvec3& x) { return 1.0 + 0.4 * std::exp(-12.5 * glm::dot(x, x)); });
 }
 
 std::vector<TraceRay> raysThroughLens() {
@@ -42,15 +39,15 @@ std::vector<TraceRay> raysThroughLens() {
     return rays;
 }
 
-std::vector<TraceResult> traced(const Fields& fields, Integrator integrator, double stepVoxels) {
-    const Accuracy accuracy{.integrator = integrator, .stepVoxels = stepVoxels};
+std::vector<TraceResult> traced(const Fields& fields, Interpolation interpolation, Integrator integrator, double stepVoxels) {
+    const Accuracy accuracy{.integrator = integrator, .interpolation = interpolation, .stepVoxels = stepVoxels};
     return traceRays(test::sharedContext(), fields, test::effectsOf(Scene{}, fields), accuracy, raysThroughLens(),
                      StraightFlights::kNone);
 }
 
 /// Directions behind the lens, by steps in double precision as many as keep inside the box; nothing bends rays near its faces.
-std::vector<glm::dvec3> followed(const Fields& fields, Step step, double ds) {
-    const reference::GridField field(fields);
+std::vector<glm::dvec3> followed(const Fields& fields, Interpolation interpolation, Step step, double ds) {
+    const reference::GridField field(fields, interpolation);
     GridStepper stepper(field);
     std::vector<glm::dvec3> directions;
     for (const TraceRay& start : raysThroughLens()) {
@@ -77,10 +74,10 @@ protected:
 };
 
 TEST_P(Integrators, GoWhereTheSameStepsGoInDoublePrecision) {
-    const Fields fields = softLens(32, interpolation);
-    const auto results = traced(fields, method.integrator, 1.0);
+    const Fields fields = softLens(32);
+    const auto results = traced(fields, interpolation, method.integrator, 1.0);
     // rounding of a wave vector of 1 at each of some 40 steps, and of the gradient that floats of n hold
-    EXPECT_LE(rmsApart(results, followed(fields, method.step, fields.lattice.voxel)), 5e-6);
+    EXPECT_LE(rmsApart(results, followed(fields, interpolation, method.step, fields.lattice.voxel)), 5e-6);
     for (const TraceResult& end : results) {
         EXPECT_NEAR(end.position.x, 1.0, 1e-5);  // they leave by that face, and end on it
         EXPECT_EQ((end.evaluations - 1) % method.evaluations, 0u);  // one where they enter
@@ -96,12 +93,13 @@ INSTANTIATE_TEST_SUITE_P(All, Integrators,
                          });
 
 TEST(IntegratorOrder, IsObservedOnTheKernelsRays) {
-    const Fields fields = softLens(96, Interpolation::kCubic);
+    const Fields fields = softLens(96);
     const double voxel = fields.lattice.voxel;
-    const auto truth = followed(fields, &GridStepper::stepRk4, 0.125 * voxel);
+    const auto truth = followed(fields, Interpolation::kCubic, &GridStepper::stepRk4, 0.125 * voxel);
     for (const Method& method : kMethods) {
         std::vector<double> errors;
-        for (const double step : {16.0, 8.0, 4.0, 2.0}) errors.push_back(rmsApart(traced(fields, method.integrator, step), truth));
+        for (const double step : {16.0, 8.0, 4.0, 2.0})
+            errors.push_back(rmsApart(traced(fields, Interpolation::kCubic, method.integrator, step), truth));
         // what floats keep is 6e-7: where the finest error is near it, the order is that of the steps before
         const std::size_t last = errors[3] > 2e-5 ? 3 : 2;
         const double observed = std::log2(errors[last - 2] / errors[last]) / 2.0;
@@ -111,10 +109,10 @@ TEST(IntegratorOrder, IsObservedOnTheKernelsRays) {
 }
 
 TEST(CubicInterpolation, LowersTheFloorOfVoxels) {
-    const Fields linear = softLens(48, Interpolation::kLinear), cubic = softLens(48, Interpolation::kCubic);
-    const auto truth = followed(softLens(192, Interpolation::kCubic), &GridStepper::stepRk4, 1.0 / 96.0);
-    const double ofLinear = rmsApart(traced(linear, Integrator::kRk4, 0.5), truth);
-    const double ofCubic = rmsApart(traced(cubic, Integrator::kRk4, 0.5), truth);
+    const Fields fields = softLens(48);
+    const auto truth = followed(softLens(192), Interpolation::kCubic, &GridStepper::stepRk4, 1.0 / 96.0);
+    const double ofLinear = rmsApart(traced(fields, Interpolation::kLinear, Integrator::kRk4, 0.5), truth);
+    const double ofCubic = rmsApart(traced(fields, Interpolation::kCubic, Integrator::kRk4, 0.5), truth);
     EXPECT_LT(10.0 * ofCubic, ofLinear);  // by h⁴ in place of h², with voxels of a fifth of the lens's width
 }
 

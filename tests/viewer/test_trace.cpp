@@ -150,7 +150,7 @@ TEST(Trace, SmoothedSphereRefractsLikeItsProfile) {
 TEST(Trace, AgreesWithTheReferenceThroughTheSameField) {
     const Fields fields = test::sphereFields(test::cube(64, 1.0), 0.7, 1.5, 0.05);
     const auto darkness = [](const glm::dvec3&) { return glm::dvec3(0.0); };
-    const reference::ImageScene scene{.fields = fields, .background = darkness};
+    const reference::ImageScene scene{.field = reference::GridField(fields), .background = darkness};
     const auto rays = parallelRays(0.68, 300, {0.3, 0.2, 1.0}, 3.0);
     for (const double stepVoxels : {0.5, 1.0, 3.0}) {
         // the reference steps through everything: flights would move the places at which the field is looked at

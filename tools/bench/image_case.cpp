@@ -56,7 +56,7 @@ Radiances referenceImage(const ImageCase& seen, int samplesPerEdge) {
     const auto background = [&](const glm::dvec3& direction) {
         return f64::gradientRadiance(direction, scene.environment.gradient[0], scene.environment.gradient[1]);
     };
-    const reference::ImageScene world{seen.fields, &seen.light, background, background};
+    const reference::ImageScene world{reference::GridField(seen.fields), &seen.light, background, background};
     const int size = scene.render.size.x;
     const double half = std::tan(glm::radians(scene.camera.fov) / 2.0);
     Radiances image(std::size_t(size) * std::size_t(size), glm::dvec3(0.0));

@@ -5,7 +5,6 @@
 
 #include <fmt/core.h>
 
-#include "common/cubic_spline.h"
 #include "tools/bench/follow_ray.h"
 #include "tools/bench/sampled_field.h"
 
@@ -136,15 +135,14 @@ void addCurves(Family& family, const Field& field, const FieldKind& kind, const 
 void addVoxelFields(Family& family, const RayCase& rayCase, int resolution, Line line, const RayBenchOptions& options) {
     const Fields fields =
         sampledField(cubeLattice(resolution, kHalfLattice), [&](const glm::dvec3& x) { return rayCase.optics(x).n; });
-    Fields cubic = fields;
-    cubic.iorSpline = splineCoefficients(fields.ior);
-    const auto endsIn = [&](const Fields& some) {
-        return measure(reference::GridField(some), {"", resolution, Line::kNone}, rayCase, kFine, kFineStepVoxels).ends;
+    const reference::GridField linear(fields, Interpolation::kLinear), cubic(fields, Interpolation::kCubic);
+    const auto endsIn = [&](const reference::GridField& field) {
+        return measure(field, {"", resolution, Line::kNone}, rayCase, kFine, kFineStepVoxels).ends;
     };
-    const double ofLinear = rmsApart(endsIn(fields), endsIn(cubic));
+    const double ofLinear = rmsApart(endsIn(linear), endsIn(cubic));
     const double ofRounding = kRounding * std::sqrt(double(resolution));  // a random walk, voxel by voxel
-    addCurves(family, reference::GridField(fields), {"linear", resolution, line, ofLinear}, rayCase, options);
-    addCurves(family, reference::GridField(cubic), {"cubic", resolution, Line::kNone, ofRounding}, rayCase, options);
+    addCurves(family, linear, {"linear", resolution, line, ofLinear}, rayCase, options);
+    addCurves(family, cubic, {"cubic", resolution, Line::kNone, ofRounding}, rayCase, options);
 }
 
 } // namespace

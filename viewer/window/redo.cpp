@@ -53,7 +53,8 @@ void note(const std::string& key, const Scene& after, Redo& redo) {
     } else if (key == "render.effects") {
         redo.image = redo.light = true;
     } else {
-        redo.image = redo.image || key == "accuracy.step" || key == "accuracy.integrator" || key == "accuracy.reflections";
+        redo.image = redo.image || key == "accuracy.step" || key == "accuracy.integrator" ||
+                     key == "accuracy.interpolation" || key == "accuracy.reflections";
         redo.light = redo.light || key != "accuracy.integrator";
     }
 }
@@ -70,8 +71,7 @@ Redo redoFor(const Scene& before, const Scene& after) {
     for (const auto& [key, text] : old) {
         if (!now.contains(key)) note(key, after, redo);
     }
-    redo.fields = redo.fields || interpolationOf(before.accuracy) != interpolationOf(after.accuracy);
-    redo.image = redo.image || redo.fields;
+    redo.image = redo.image || redo.fields || interpolationOfImages(before.accuracy) != interpolationOfImages(after.accuracy);
     redo.light = redo.light || redo.fields || redo.insets;
     return redo;
 }
