@@ -1,4 +1,6 @@
 // Parallel beams: uniform in vacuum, exponential in an absorber, additive, and dark without light.
+#include <algorithm>
+
 #include "tests/lightsim/bake_scenes.h"
 
 namespace eikonal {
@@ -21,6 +23,24 @@ TEST(Beam, IsUniformInVacuum) {
             }
         }
         EXPECT_NEAR(sum / (28.0 * 28.0 * 28.0), 2.0, 0.004);
+    }
+}
+
+TEST(Beam, IsEvenWhereCellsEndBetweenSamplesOrOnThem) {
+    // along an axis the faces of cells lie at multiples of the step, and samples at sixths, quarters or eighths of a voxel
+    for (const double stepVoxels : {0.5, 1.0, 1.25, 1.5}) {
+        for (const double tolerance : {0.005, 0.02, 0.08}) {
+            Scene scene = test::sceneWith(DirectionalLight{{1.0, 0.0, 0.0}, glm::dvec3(1.0)});
+            scene.accuracy.stepVoxels = stepVoxels;
+            scene.accuracy.tolerance = tolerance;
+            const BakeResult result = test::bake(scene, test::uniformFields(test::cube(16, 1.0)));
+            const auto [least, most] = std::minmax_element(
+                result.light.irradiance.values.begin(), result.light.irradiance.values.end(),
+                [](const glm::vec3& a, const glm::vec3& b) { return a.x < b.x; });
+            // rounding: of a cell's map, and of sums in fixed point
+            EXPECT_NEAR(least->x, 1.0f, 1e-4) << stepVoxels << ", " << tolerance;
+            EXPECT_NEAR(most->x, 1.0f, 1e-4) << stepVoxels << ", " << tolerance;
+        }
     }
 }
 

@@ -100,8 +100,7 @@ Box boxOf(Trilinear map) {
 }
 
 Box samplesIn(Box box) {
-    float across = float(samplesAcross());
-    return Box(ceil(box.first * across - 0.5), floor(box.end * across - 0.5) + 1.0);
+    return Box(ceil(numberOfSample(box.first)), floor(numberOfSample(box.end)) + 1.0);
 }
 
 // Samples of a row along x that may lie in a part: those between the faces of its reach.

@@ -66,7 +66,16 @@ float sampleShareIn(ivec3 voxel) {
 }
 #endif
 
+// Where samples of number 0 lie [spacings of samples]. In the middle but for a thousandth of a voxel or so: the faces of cells of a
+// beam along an axis lie at simple fractions of a voxel, and what lies on a face may fall to both sides or to neither.
+const vec3 kFirstSample = vec3(0.5031, 0.5047, 0.5039);
+
 // A sample's place [voxels], from its number along each axis of the domain.
 vec3 placeOfSample(vec3 number) {
-    return (number + 0.5) / float(samplesAcross());
+    return (number + kFirstSample) / float(samplesAcross());
+}
+
+// The number of a sample at a place, in parts of a number between samples.
+vec3 numberOfSample(vec3 place) {
+    return place * float(samplesAcross()) - kFirstSample;
 }
