@@ -18,7 +18,8 @@ namespace eikonal {
 class GpuFields {
 public:
     /// Uploads the grids of every effect that is on; `interpolation`, linear or cubic, is that of the index on the domain's
-    /// lattice. Throws badInput for a lattice beyond the device's 3D textures, std::logic_error for an effect whose grid is missing.
+    /// lattice. Throws badInput for a lattice beyond the device's 3D textures, std::logic_error for an effect whose grid is
+    /// missing.
     GpuFields(const gpu::Context& context, const Fields& fields, const EffectSet& effects,
               Interpolation interpolation = Interpolation::kLinear);
 

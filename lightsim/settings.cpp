@@ -70,7 +70,7 @@ Interpolation interpolationOfLight(const Accuracy& accuracy, const DenseGrid<flo
     // Tubes through splines err twice as much as linearly where n is kinked, about half as much where the program has smoothed
     // it: midway between the two.
     constexpr double kMostKinks = 0.55;
-    return kinkShare(ior) < kMostKinks ? Interpolation::kCubic : Interpolation::kLinear;
+    return !ior.empty() && kinkShare(ior) < kMostKinks ? Interpolation::kCubic : Interpolation::kLinear;
 }
 
 Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields, double meshScale) {

@@ -88,7 +88,8 @@ ErrorEstimate estimateError(const gpu::Context& context, const Scene& scene, con
     estimate.step = rmsApart(own, steppedHalf) / shareLostByHalving(integratorOf(scene.accuracy)) / mean;
     // the samples of one are among those of the other: of independent errors that hides their share of the square
     estimate.sampling = rmsApart(own, sampledMore) / std::sqrt(1.0 - double(samples) / moreThan(samples)) / mean;
-    if (effects.has(Effect::kRefraction) && !fields.ior.empty() && interpolationOfImages(scene.accuracy) == Interpolation::kLinear) {
+    const bool isLinear = interpolationOfImages(scene.accuracy) == Interpolation::kLinear;
+    if (effects.has(Effect::kRefraction) && !fields.ior.empty() && isLinear) {
         const Film cubic = filmWithCubic(context, sampled, fields, effects, bake, options, halfStep);
         estimate.interpolation = rmsApart(steppedHalf, cubic) / mean;
     }

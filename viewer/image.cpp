@@ -70,7 +70,8 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
                                    const EffectSet& effects, const BakedLight* bake, const RenderOptions& options)
     : context_(context), options_(options), lattice_(fields.lattice), render_(scene.render),
       camera_(scene.camera), sampling_(viewer::samplingOf(scene.render, scene.camera)),
-      fields_(context, fields, effects, interpolationOfImages(scene.accuracy)), environment_(surroundings(context, scene, effects, bake)),
+      fields_(context, fields, effects, interpolationOfImages(scene.accuracy)),
+      environment_(surroundings(context, scene, effects, bake)),
       passes_(spectralBandsOf(scene.accuracy, effects), strataOf(scene.render)), hasGreyMatter_(hasGreyMatter(fields)),
       light_(context, bake, passes_.bandCount()),
       clearance_(clearanceFor(context, scene, fields, effects, bake, options)),

@@ -37,3 +37,20 @@ real distanceToExit(real3 x, real3 direction, real3 boxMin, real3 boxMax) {
     }
     return max(leave, 0.0);
 }
+
+struct SlicePoint {
+    real3 x;
+    bool isMet;  // false: the look goes along the slice or away from it, or meets its plane beside the box
+};
+
+// Where a look from the origin along the direction meets the slice of the box on which coordinate `axis` is `position`.
+SlicePoint slicePoint(real3 origin, real3 direction, int axis, real position, real3 boxMin, real3 boxMax) {
+    real along = (position - origin[axis]) / direction[axis];
+    SlicePoint point;
+    point.x = origin + direction * along;
+    point.isMet = along > 0.0;
+    for (int other = 0; other < 3; ++other) {
+        point.isMet = point.isMet && point.x[other] >= boxMin[other] && point.x[other] <= boxMax[other];
+    }
+    return point;
+}

@@ -1,4 +1,5 @@
 // The film as a texture for the screen: tone-mapped, or in false colour by one of the ways to look.
+#include "physics/box.glsl"
 #include "physics/tone.glsl"
 #include "viewer/film_pixels.glsl"
 #include "shared/look_block.h"
@@ -46,10 +47,8 @@ vec3 sliceColor(vec3 x) {
 vec3 sliceOver(vec3 behind, ivec2 pixel) {
     vec2 screen = 2.0 * (vec2(pixel) + 0.5) / vec2(view.imageSize) - 1.0;
     vec3 ray = view.cameraForward + view.cameraRight * screen.x - view.cameraUp * screen.y;
-    float along = (slicePosition - view.cameraPosition[sliceAxis]) / ray[sliceAxis];
-    vec3 x = view.cameraPosition + along * ray;
-    bool hit = along > 0.0 && all(greaterThanEqual(x, domain.min)) && all(lessThanEqual(x, domain.max));
-    return hit ? sliceColor(x) : 0.25 * behind;
+    SlicePoint point = slicePoint(view.cameraPosition, ray, sliceAxis, slicePosition, domain.min, domain.max);
+    return point.isMet ? sliceColor(point.x) : 0.25 * behind;
 }
 
 #endif

@@ -164,6 +164,17 @@ TEST(Box, SpanAndExitAgree) {
     EXPECT_DOUBLE_EQ(f64::distanceToExit({0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, low, high), 0.5);
 }
 
+TEST(Box, SliceIsMetInFrontAndWithinTheBox) {
+    const glm::dvec3 low(-1.0), high(1.0);
+    const auto met = f64::slicePoint({0.0, 0.0, 4.0}, {0.1, 0.0, -2.0}, 2, 0.5, low, high);
+    EXPECT_TRUE(met.isMet);
+    EXPECT_NEAR(glm::distance(met.x, {0.175, 0.0, 0.5}), 0.0, 1e-15);  // rounding
+    EXPECT_FALSE(f64::slicePoint({0.0, 0.0, 4.0}, {0.1, 0.0, 2.0}, 2, 0.5, low, high).isMet) << "behind";
+    EXPECT_FALSE(f64::slicePoint({0.0, 0.0, 4.0}, {0.7, 0.0, -2.0}, 2, 0.5, low, high).isMet) << "beside the box";
+    EXPECT_FALSE(f64::slicePoint({0.0, 0.5, 4.0}, {0.1, 0.0, -2.0}, 1, 0.5, low, high).isMet) << "along its plane";
+    EXPECT_FALSE(f64::slicePoint({0.0, 0.0, 4.0}, {0.1, 0.0, -2.0}, 1, 0.5, low, high).isMet) << "beside its plane";
+}
+
 TEST(Tube, SectionIsAcrossTheDirectionAndSigned) {
     const glm::dvec3 a(0.0), b(2.0, 0.0, 0.0), c(2.0, 3.0, 0.0), d(0.0, 3.0, 0.0);
     const glm::dvec3 oblique(0.6, 0.0, 0.8);

@@ -1,5 +1,6 @@
 #include "viewer/window/slice_probe.h"
 
+#include "common/physics.h"
 #include "viewer/window/orbit.h"
 
 namespace eikonal::window {
@@ -10,11 +11,9 @@ namespace {
 std::optional<glm::dvec3> pointOnSlice(const viewer::LookSettings& look, const Camera& camera, const glm::dvec2& at,
                                        double aspect, const Lattice& domain) {
     const glm::dvec3 ray = rayThrough(camera, at, aspect);
-    const double along = (look.slicePosition - camera.position[look.sliceAxis]) / ray[look.sliceAxis];
-    const glm::dvec3 point = camera.position + along * ray;
-    const bool isAbove = glm::all(glm::greaterThanEqual(point, domain.min));
-    const bool isBelow = glm::all(glm::lessThanEqual(point, domain.max()));
-    return along > 0.0 && isAbove && isBelow ? std::optional(point) : std::nullopt;
+    const f64::SlicePoint point =
+        f64::slicePoint(camera.position, ray, look.sliceAxis, look.slicePosition, domain.min, domain.max());
+    return point.isMet ? std::optional(point.x) : std::nullopt;
 }
 
 template <class Value>
