@@ -1,5 +1,7 @@
 #include "common/accuracy.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "common/error.h"
@@ -17,6 +19,11 @@ void require(const Scene& scene, bool available, const char* key, const char* ex
 }
 
 } // namespace
+
+std::string_view interpolationName(Interpolation interpolation) {
+    const auto isIt = [interpolation](const auto& named) { return named.second == interpolation; };
+    return std::find_if(kInterpolations.begin(), kInterpolations.end(), isIt)->first;
+}
 
 Interpolation interpolationOfImages(const Accuracy& accuracy) {
     if (accuracy.interpolation != Interpolation::kAuto) return accuracy.interpolation;

@@ -1,6 +1,10 @@
 #pragma once
 // What "auto" means where a scene leaves its accuracy to the program.
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "common/scene.h"
 
 namespace eikonal {
@@ -12,6 +16,10 @@ constexpr double kAutoStepVoxels = 0.75;
 
 inline double stepVoxelsOf(const Accuracy& accuracy) { return accuracy.stepVoxels.value_or(kAutoStepVoxels); }
 
+/// As scenes name them.
+inline constexpr std::array<std::pair<std::string_view, Interpolation>, 3> kInterpolations{
+    {{"auto", Interpolation::kAuto}, {"linear", Interpolation::kLinear}, {"cubic", Interpolation::kCubic}}};
+std::string_view interpolationName(Interpolation interpolation);
 /// Of the index along viewing rays: linear, or cubic below a tolerance that linear interpolation on voxels does not reach
 /// (docs/accuracy.md).
 Interpolation interpolationOfImages(const Accuracy& accuracy);

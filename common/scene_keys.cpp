@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/accuracy.h"
 #include "common/effects.h"
 #include "common/key_builders.h"
 #include "common/spelling.h"
@@ -18,8 +19,6 @@ constexpr std::pair<std::string_view, Integrator> kIntegrators[] = {{"auto", Int
                                                                    {"leapfrog", Integrator::kLeapfrog},
                                                                    {"rk4", Integrator::kRk4},
                                                                    {"sharma", Integrator::kSharma}};
-constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {
-    {"auto", Interpolation::kAuto}, {"linear", Interpolation::kLinear}, {"cubic", Interpolation::kCubic}};
 constexpr std::pair<std::string_view, Deposit> kDeposits[] = {
     {"auto", Deposit::kAuto}, {"splat", Deposit::kSplat}, {"cells", Deposit::kCells}, {"peak", Deposit::kPeak}};
 constexpr std::pair<std::string_view, Directional> kDirectionals[] = {

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/accuracy.h"
+
 namespace eikonal {
 
 namespace {
@@ -83,7 +85,7 @@ nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effec
           {"refused_splits", patches.refusedSplits}}},
         {"lobe_voxels", statistics.lobeVoxels},
         {"energy", energyJson(statistics)},
-        {"interpolation", statistics.interpolation == Interpolation::kCubic ? "cubic" : "linear"},
+        {"interpolation", interpolationName(statistics.interpolation)},
         {"effects", effectsJson(effects)},
         {"device", statistics.device},
         {"memory_bytes", statistics.memoryBytes},

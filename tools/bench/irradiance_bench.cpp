@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "common/accuracy.h"
 #include "lightsim/error_estimate.h"
 #include "tools/bench/irradiance_cases.h"
 #include "tools/bench/least_error.h"
@@ -53,7 +54,7 @@ public:
         const BakeResult result = bake(tolerance);
         const BakeSeconds& seconds = result.statistics.seconds;
         return {lit_.name,
-                "linear",
+                std::string(interpolationName(result.statistics.interpolation)),
                 lit_.fields.lattice.size.x,
                 method_.name,
                 fmt::format("tolerance {:g}", tolerance),

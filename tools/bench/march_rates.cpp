@@ -36,7 +36,7 @@ EffectSet refractionOnly(EffectSet effects) {
 class Course {
 public:
     Course(const gpu::Context& context, const Scene& scene, const Fields& fields)
-        : effects_(refractionOnly(decideEffects(scene, fields))), 
+        : effects_(refractionOnly(decideEffects(scene, fields))),
           fields_(context, fields, effects_, interpolationOfImages(scene.accuracy)),
           clearance_(context, fields, effects_, {.tolerance = scene.accuracy.tolerance}),
           batch_(context, std::size_t(scene.render.size.x) * std::size_t(scene.render.size.y)),
