@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/tools/run_eikonal.h"
@@ -164,15 +165,16 @@ TEST(BenchAccuracyIrradiance, TubesKeepEnergyAndFollowTheirToleranceAndPeaksDoNo
     const std::vector<Row> rows = rowsOf(benched(folder, "irradiance"));
     EXPECT_EQ(rows.size(), 5u * 4u * 4u);  // cases, methods, tolerances
     expectRightEstimates(rows, 5u * 2u * 4u);  // splat and auto
-    for (const char* scene : {"point light in vacuum", "Luneburg lens", "point light in a fish-eye",
-                              "point light before glass", "glass sphere"}) {
-        const std::string curve = std::string(scene) + " linear 24";
-        const auto tubes = curveOf(rows, curve, "auto"), peaks = curveOf(rows, curve, "peak (2007)");
+    // tubes take cubics where there is an index to interpolate and it has no kinks
+    for (const auto& [scene, ofTubes] : {std::pair{"point light in vacuum", "linear"}, {"Luneburg lens", "linear"},
+                                         {"point light in a fish-eye", "cubic"}, {"point light before glass", "cubic"},
+                                         {"glass sphere", "cubic"}}) {
+        const auto tubes = curveOf(rows, fmt::format("{} {} 24", scene, ofTubes), "auto");
+        const auto peaks = curveOf(rows, fmt::format("{} linear 24", scene), "peak (2007)");
         ASSERT_EQ(tubes.size(), 4u);
         ASSERT_EQ(peaks.size(), 4u);
-        // On 24 voxels, where fronts are smooth, 0.02 errs by what its points do, which it takes cells apart into near a lamp or a
-        // focus and which know their voxels to a quarter: by up to 4.6 %, where 0.08 gathers whole cells.
-        EXPECT_LT(tubes.back().error, 0.05) << scene;
+        // On 24 voxels the kink of the Luneburg lens is most of what any of these errs by, 3.2 %.
+        EXPECT_LT(tubes.back().error, 0.04) << scene;
         if (std::string(scene) == "glass sphere") {
             EXPECT_LT(tubes.back().error, tubes.at(2).error);  // 0.02 and 0.08
         }
