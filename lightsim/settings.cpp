@@ -80,8 +80,8 @@ Criteria criteriaOf(const Accuracy& accuracy, const Fields& fields, double meshS
     const double longest = std::max({size.x, size.y, size.z});
     Criteria criteria{};
     criteria.foldsEnd = accuracy.deposit == eikonal::Deposit::kPeak;
-    // A step is at most one voxel of length where n is least, but for drafts; more of them gain nothing over the floor that
-    // trilinear interpolation sets (docs/physics.md, section 1). The largest irradiance is looked for twice as often.
+    // A step is at most one voxel of length where n is least, but for drafts; more of them gain nothing over the floor
+    // that interpolation and what lies between rays set (docs/accuracy.md). The largest irradiance is looked for twice as often.
     const double draft = usesPatches(accuracy) ? 1.0 : std::max(1.0, std::sqrt(accuracy.tolerance / kDraftTolerance));
     const double autoStepVoxels = criteria.foldsEnd ? 0.5 : std::min(draft, kLongestStepVoxels);
     criteria.opticalStep =
