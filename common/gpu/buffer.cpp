@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "common/gpu/transfer.h"
+
 namespace eikonal::gpu {
 
 namespace {
@@ -13,15 +15,18 @@ constexpr std::size_t kSmallestBytes = 16;
 
 } // namespace
 
-Buffer::Buffer(const Context&, std::size_t bytes, std::string_view label) : bytes_(bytes) {
+Buffer::Buffer(const Context& context, std::size_t bytes, std::string_view label)
+    : transfer_(&context.transfer()), bytes_(bytes) {
     glCreateBuffers(1, &name_);
-    glNamedBufferStorage(name_, GLsizeiptr(std::max(bytes, kSmallestBytes)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(name_, GLsizeiptr(std::max(bytes, kSmallestBytes)), nullptr, 0);
     glObjectLabel(GL_BUFFER, name_, GLsizei(label.size()), label.data());
 }
 
-Buffer::Buffer(Buffer&& other) noexcept : name_(std::exchange(other.name_, 0)), bytes_(std::exchange(other.bytes_, 0)) {}
+Buffer::Buffer(Buffer&& other) noexcept
+    : transfer_(other.transfer_), name_(std::exchange(other.name_, 0)), bytes_(std::exchange(other.bytes_, 0)) {}
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
+    std::swap(transfer_, other.transfer_);
     std::swap(name_, other.name_);
     std::swap(bytes_, other.bytes_);
     return *this;
@@ -33,14 +38,12 @@ Buffer::~Buffer() {
 
 void Buffer::uploadBytes(std::size_t offset, const void* data, std::size_t bytes) {
     assert(offset + bytes <= bytes_);
-    if (bytes == 0) return;
-    glNamedBufferSubData(name_, GLintptr(offset), GLsizeiptr(bytes), data);
+    transfer_->upload(name_, offset, data, bytes);
 }
 
 void Buffer::downloadBytes(std::size_t offset, void* data, std::size_t bytes) const {
     assert(offset + bytes <= bytes_);
-    if (bytes == 0) return;
-    glGetNamedBufferSubData(name_, GLintptr(offset), GLsizeiptr(bytes), data);
+    transfer_->download(name_, offset, data, bytes);
 }
 
 void Buffer::fill(std::uint32_t value) {

@@ -10,6 +10,7 @@
 
 #include "common/error.h"
 #include "common/gpu/objects.h"
+#include "common/gpu/transfer.h"
 
 namespace eikonal::gpu {
 
@@ -18,6 +19,7 @@ struct Context::Impl {
     DeviceLimits limits;
     std::filesystem::path shaderFolder;
     std::vector<std::string> errors;
+    std::unique_ptr<Transfer> transfer;
 
     ~Impl() {
         if (destroy) destroy();
@@ -75,6 +77,7 @@ Context Context::adopt(std::function<void()> makeCurrent, std::function<void()> 
     // A shader that does not compile is told by its status, and may be wrong input (ContextOptions::shaderFolder).
     glDebugMessageControl(GL_DEBUG_SOURCE_SHADER_COMPILER, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
     impl->limits = queriedLimits();
+    impl->transfer = std::make_unique<Transfer>();
     Context context(std::move(impl));
     context.impl_->limits.exactLinearFiltering = !options.forceManualFiltering && filtersExactly(context);
     context.throwIfError();
@@ -100,6 +103,8 @@ void Context::makeCurrent() const { impl_->makeCurrent(); }
 const DeviceLimits& Context::limits() const { return impl_->limits; }
 
 const std::filesystem::path& Context::shaderFolder() const { return impl_->shaderFolder; }
+
+Transfer& Context::transfer() const { return *impl_->transfer; }
 
 std::string Context::rendererName() const {
     const auto text = [](GLenum name) { return std::string(reinterpret_cast<const char*>(glGetString(name))); };

@@ -21,6 +21,8 @@ struct ContextOptions {
     std::filesystem::path shaderFolder;  ///< where shaders are read in place of those in the program; empty: nowhere
 };
 
+class Transfer;
+
 class Context {
 public:
     /// A context without a window: EGL on a hardware device, then surfaceless, then any device, then the default display.
@@ -38,6 +40,7 @@ public:
     void makeCurrent() const;
     const DeviceLimits& limits() const;
     const std::filesystem::path& shaderFolder() const;
+    Transfer& transfer() const;  ///< how data reach buffers and come back; stays where it is when the context is moved
     std::string rendererName() const;  ///< GL_RENDERER and version
     /// Throws Error(kFailure) with the messages if the debug callback has seen a GL error since the last call.
     void throwIfError() const;

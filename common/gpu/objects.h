@@ -45,6 +45,7 @@ public:
     }
 
 private:
+    Transfer* transfer_ = nullptr;
     GLuint name_ = 0;
     std::size_t bytes_ = 0;
 };

@@ -38,7 +38,8 @@ Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
         targetPath += dot(offset, offset) / (sourceDistance + length(frame.axis));
     }
     BoxSpan span = boxSpan(target, direction, domain.min, domain.max);
-    bool meetsDomain = span.enter < span.leave && span.leave > -sourceDistance;
+    const float kAhead = 0.9999;  // a source on a face: what leaves it outwards does so at once, but for rounding
+    bool meetsDomain = span.enter < span.leave && span.leave > -kAhead * sourceDistance;
     particle.status = meetsDomain ? PARTICLE_WAITING : PARTICLE_MISSED;
     particle.enterPath = max(targetPath + span.enter, 0.0);  // 0: the source is inside
     particle.x = target - direction * targetPath;

@@ -201,9 +201,9 @@ static const std::vector<BadCase> kSceneCases{
 
 static const std::vector<BadCase> kSystemCases{
     {"NoOpenGl", 4, "4.5", [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene); },
-     {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}},
+     {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent"}},
     {"NoOpenGlToRender", 4, "4.5", [](const TemporaryFolder& f) { return renderOf(f, kSmallScene); },
-     {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}},
+     {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent"}},
     {"UnwritableFolder", 1, "nowhere",
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"bake", f.write("scene.toml", kSmallScene), "-o", f.file("nowhere/out.vdb")};

@@ -42,7 +42,7 @@ TEST(Usage, VersionNamesLibrariesAndRenderer) {
 }
 
 TEST(Usage, VersionNeedsNoDevice) {
-    const RunResult result = runEikonal({"--version"}, {.environment = {"__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"}});
+    const RunResult result = runEikonal({"--version"}, {.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent"}});
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_TRUE(contains(result.out, "renderer: none")) << result.out;
 }
