@@ -1,5 +1,10 @@
 #include "lightsim/ledger.h"
 
+#include <functional>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include "lightsim/light_sums.h"
 #include "shaders/shared/bake_blocks.h"
 
@@ -70,21 +75,22 @@ glm::dvec3 meanProduct(const DenseGrid<glm::vec3>& sigma, const DenseGrid<glm::v
 }
 
 glm::dvec3 integral(const DenseGrid<glm::vec3>& sigma, const Fields& fields, VoxelMean mean, const BakedLight& light) {
-    glm::dvec3 sum(0.0);
-    if (sigma.empty()) {
-        return sum;
-    }
-    for (int k = 0; k < sigma.size.z; ++k) {
-        for (int j = 0; j < sigma.size.y; ++j) {
-            for (int i = 0; i < sigma.size.x; ++i) {
-                const glm::ivec3 voxel(i, j, k);
-                const double freeShare = fields.opaque.empty() ? 1.0 : 1.0 - fields.opaque.at(voxel);
-                sum += freeShare * (mean == VoxelMean::kCube
-                                        ? meanProduct(sigma, light.irradiance, voxel)
-                                        : glm::dvec3(sigma.at(voxel)) * glm::dvec3(light.irradiance.at(voxel)));
+    const auto ofLayers = [&](const tbb::blocked_range<int>& layers, glm::dvec3 sum) {
+        for (int k = layers.begin(); k < layers.end(); ++k) {
+            for (int j = 0; j < sigma.size.y; ++j) {
+                for (int i = 0; i < sigma.size.x; ++i) {
+                    const glm::ivec3 voxel(i, j, k);
+                    const double freeShare = fields.opaque.empty() ? 1.0 : 1.0 - fields.opaque.at(voxel);
+                    sum += freeShare * (mean == VoxelMean::kCube
+                                            ? meanProduct(sigma, light.irradiance, voxel)
+                                            : glm::dvec3(sigma.at(voxel)) * glm::dvec3(light.irradiance.at(voxel)));
+                }
             }
         }
-    }
+        return sum;
+    };
+    const glm::dvec3 sum = tbb::parallel_deterministic_reduce(tbb::blocked_range<int>(0, sigma.size.z), glm::dvec3(0.0),
+                                                              ofLayers, std::plus<>());
     return sum * (light.lattice.voxel * light.lattice.voxel * light.lattice.voxel);
 }
 

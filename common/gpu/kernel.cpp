@@ -27,9 +27,15 @@ void Kernel::dispatch(const glm::uvec3& groups) const {
 }
 
 void Kernel::dispatchIndirect(const Buffer& arguments, std::size_t offset) const {
-    glUseProgram(name_);
+    dispatchTogether(arguments, {{*this, offset}});
+}
+
+void Kernel::dispatchTogether(const Buffer& arguments, std::initializer_list<Indirect> dispatches) {
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
-    glDispatchComputeIndirect(GLintptr(offset));
+    for (const auto& [kernel, offset] : dispatches) {
+        glUseProgram(kernel.name_);
+        glDispatchComputeIndirect(GLintptr(offset));
+    }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -103,6 +104,12 @@ public:
     void dispatch(const glm::uvec3& groups) const;
     /// The same with the groups from three 32-bit words at `offset`.
     void dispatchIndirect(const Buffer& arguments, std::size_t offset) const;
+    /// The same of several kernels, none of which reads what another one writes: the device may run them at once.
+    struct Indirect {
+        const Kernel& kernel;
+        std::size_t offset;
+    };
+    static void dispatchTogether(const Buffer& arguments, std::initializer_list<Indirect> dispatches);
     GLuint name() const { return name_; }
 
 private:

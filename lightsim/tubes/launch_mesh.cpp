@@ -12,25 +12,37 @@ std::size_t LaunchMesh::PlaceHash::operator()(const glm::uvec3& key) const {
     return std::size_t(hash ^ (hash >> 31));
 }
 
-std::uint32_t LaunchMesh::vertexAt(std::uint32_t frame, const glm::uvec2& place, std::uint32_t first,
-                                   std::uint32_t second) {
-    const auto [entry, isAdded] = vertexByPlace_.try_emplace({frame, place.x, place.y}, std::uint32_t(vertices.size()));
+std::uint32_t LaunchMesh::cornerAt(std::uint32_t frame, const glm::uvec2& place) {
+    const auto [entry, isAdded] = cornerByPlace_.try_emplace({frame, place.x, place.y}, std::uint32_t(vertices.size()));
     if (isAdded) {
-        const std::uint32_t depth = first == kNone ? 0 : 1 + std::max(vertices[first].depth, vertices[second].depth);
-        vertices.push_back({frame, place, {first, second}, depth});
+        vertices.push_back({frame, place, {kNone, kNone}, 0});
     }
     return entry->second;
 }
 
-std::uint32_t LaunchMesh::edgeBetween(std::uint32_t a, std::uint32_t b, std::uint32_t parent, bool isLive) {
-    const auto [entry, isAdded] = edgeByEnds_.try_emplace(std::uint64_t(a) << 32 | b, std::uint32_t(edges.size()));
+std::uint32_t LaunchMesh::sideBetween(std::uint32_t a, std::uint32_t b) {
+    const auto [entry, isAdded] = sideByEnds_.try_emplace(std::uint64_t(a) << 32 | b, std::uint32_t(edges.size()));
     if (isAdded) {
-        const glm::uvec2 middle = (vertices[a].place + vertices[b].place) / 2u;
-        MeshEdge edge{{a, b}, parent, {kNone, kNone}, vertexAt(vertices[a].frame, middle, a, b), isLive};
-        vertices[edge.middle].edge = std::min(vertices[edge.middle].edge, entry->second);
-        edges.push_back(edge);
+        addEdge(a, b, addMiddle(a, b), kNone, true);
     }
     return entry->second;
+}
+
+std::uint32_t LaunchMesh::addVertex(const glm::uvec2& place, std::uint32_t first, std::uint32_t second) {
+    const std::uint32_t depth = 1 + std::max(vertices[first].depth, vertices[second].depth);
+    vertices.push_back({vertices[first].frame, place, {first, second}, depth});
+    return std::uint32_t(vertices.size() - 1);
+}
+
+std::uint32_t LaunchMesh::addMiddle(std::uint32_t a, std::uint32_t b) {
+    return addVertex((vertices[a].place + vertices[b].place) / 2u, a, b);
+}
+
+std::uint32_t LaunchMesh::addEdge(std::uint32_t a, std::uint32_t b, std::uint32_t middle, std::uint32_t parent, bool isLive) {
+    const std::uint32_t index = std::uint32_t(edges.size());
+    vertices[middle].edge = index;
+    edges.push_back({{a, b}, parent, {kNone, kNone}, middle, isLive});
+    return index;
 }
 
 std::uint32_t LaunchMesh::addNode(const std::uint32_t (&corners)[4], const std::uint32_t (&sides)[4], std::uint32_t root,
@@ -42,8 +54,7 @@ std::uint32_t LaunchMesh::addNode(const std::uint32_t (&corners)[4], const std::
     const auto middle = [&](int side) { return edges[sides[side]].middle; };
     const glm::uvec2 place(vertices[middle(0)].place.x, vertices[middle(1)].place.y);
     // in the sub-cells of the node that it came from, its centre lies between the sides that this one was cut to
-    node.centre = halvedAlongU ? vertexAt(vertices[corners[0]].frame, place, middle(3), middle(1))
-                               : vertexAt(vertices[corners[0]].frame, place, middle(0), middle(2));
+    node.centre = halvedAlongU ? addVertex(place, middle(3), middle(1)) : addVertex(place, middle(0), middle(2));
     nodes.push_back(node);
     return std::uint32_t(nodes.size() - 1);
 }
@@ -51,15 +62,12 @@ std::uint32_t LaunchMesh::addNode(const std::uint32_t (&corners)[4], const std::
 std::uint32_t LaunchMesh::addCell(std::uint32_t frameIndex, const LaunchFrame& frame, std::uint32_t cell) {
     const glm::uvec2 low = glm::uvec2(cell % frame.cellsU, cell / frame.cellsU) * kCellUnits;
     const glm::uvec2 high = low + kCellUnits;
-    const std::uint32_t a = vertexAt(frameIndex, low, kNone, kNone);
-    const std::uint32_t b = vertexAt(frameIndex, {high.x, low.y}, kNone, kNone);
-    const std::uint32_t c = vertexAt(frameIndex, high, kNone, kNone);
-    const std::uint32_t d = vertexAt(frameIndex, {low.x, high.y}, kNone, kNone);
+    const std::uint32_t a = cornerAt(frameIndex, low);
+    const std::uint32_t b = cornerAt(frameIndex, {high.x, low.y});
+    const std::uint32_t c = cornerAt(frameIndex, high);
+    const std::uint32_t d = cornerAt(frameIndex, {low.x, high.y});
     const std::uint32_t root = std::uint32_t(nodes.size());
-    return addNode({a, b, c, d},
-                   {edgeBetween(a, b, kNone, true), edgeBetween(b, c, kNone, true), edgeBetween(d, c, kNone, true),
-                    edgeBetween(a, d, kNone, true)},
-                   root, true);
+    return addNode({a, b, c, d}, {sideBetween(a, b), sideBetween(b, c), sideBetween(d, c), sideBetween(a, d)}, root, true);
 }
 
 void LaunchMesh::beginWindow() {
@@ -89,8 +97,8 @@ void LaunchMesh::halveEdge(std::uint32_t index) {
     const auto [a, b] = std::pair(edges[index].ends[0], edges[index].ends[1]);
     const std::uint32_t middle = edges[index].middle;
     const bool isLive = edges[index].isLive && edges[index].strong != 0;
-    const std::uint32_t first = edgeBetween(a, middle, index, isLive);
-    const std::uint32_t second = edgeBetween(middle, b, index, isLive);
+    const std::uint32_t first = addEdge(a, middle, addMiddle(a, middle), index, isLive);
+    const std::uint32_t second = addEdge(middle, b, addMiddle(middle, b), index, isLive);
     edges[index].children[0] = first;
     edges[index].children[1] = second;
 }
@@ -125,7 +133,7 @@ void LaunchMesh::halve(std::uint32_t index, bool alongU) {
     halveEdge(e[cut[0]]);
     halveEdge(e[cut[1]]);
     const std::uint32_t m = edges[e[cut[0]]].middle, n = edges[e[cut[1]]].middle;
-    const std::uint32_t across = edgeBetween(m, n, kNone, true);
+    const std::uint32_t across = addEdge(m, n, node.centre, kNone, true);
     const std::uint32_t *low = edges[e[cut[0]]].children, *high = edges[e[cut[1]]].children;
     const std::uint32_t parts[4] = {low[0], low[1], high[0], high[1]};
     const std::uint32_t first = alongU ? addNode({c[0], m, n, c[3]}, {parts[0], across, parts[2], e[3]}, node.root, true)

@@ -108,8 +108,12 @@ private:
         std::size_t operator()(const glm::uvec3& key) const;
     };
 
-    std::uint32_t vertexAt(std::uint32_t frame, const glm::uvec2& place, std::uint32_t first, std::uint32_t second);
-    std::uint32_t edgeBetween(std::uint32_t a, std::uint32_t b, std::uint32_t parent, bool isLive);
+    /// The corner of a cell, the side of one: those of cells beside it where they have been added.
+    std::uint32_t cornerAt(std::uint32_t frame, const glm::uvec2& place);
+    std::uint32_t sideBetween(std::uint32_t a, std::uint32_t b);
+    std::uint32_t addVertex(const glm::uvec2& place, std::uint32_t first, std::uint32_t second);
+    std::uint32_t addEdge(std::uint32_t a, std::uint32_t b, std::uint32_t middle, std::uint32_t parent, bool isLive);
+    std::uint32_t addMiddle(std::uint32_t a, std::uint32_t b);
     std::uint32_t addNode(const std::uint32_t (&corners)[4], const std::uint32_t (&sides)[4], std::uint32_t root,
                           bool halvedAlongU);
     void halveEdge(std::uint32_t edge);
@@ -118,8 +122,8 @@ private:
     void halve(std::uint32_t node, bool alongU);
     bool canHalve(std::uint32_t edge) const;
 
-    std::unordered_map<glm::uvec3, std::uint32_t, PlaceHash> vertexByPlace_;
-    std::unordered_map<std::uint64_t, std::uint32_t> edgeByEnds_;
+    std::unordered_map<glm::uvec3, std::uint32_t, PlaceHash> cornerByPlace_;
+    std::unordered_map<std::uint64_t, std::uint32_t> sideByEnds_;
 };
 
 /// Steps that have a sample at either end.

@@ -63,6 +63,7 @@ std::vector<LightPath> ReflectedLight::pathsBehind(const Mirrors& mirrors, doubl
         if (power_[k] > 0.0 && power_[k] >= leastPower) {
             paths.push_back({mirrors, cells_[k]});
             paths.back().mirrors.push_back(std::uint32_t(k));
+            std::sort(paths.back().cells.begin(), paths.back().cells.end());
         }
     }
     return paths;

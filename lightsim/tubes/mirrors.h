@@ -38,7 +38,7 @@ std::vector<PowerByCrossing> reflectedByRoot(const LaunchMesh& mesh, const Launc
 /// What the light of one path loses by reflection.
 class ReflectedLight {
 public:
-    /// Of cells of the launch grids, ascending from call to call.
+    /// Of cells of the launch grids.
     void add(std::span<const std::uint32_t> cells, std::span<const PowerByCrossing> powers);
     /// The paths with one mirror more that carry at least `leastPower`.
     std::vector<LightPath> pathsBehind(const Mirrors& mirrors, double leastPower) const;

@@ -11,9 +11,9 @@ namespace eikonal::bake {
 
 namespace {
 
-constexpr std::uint32_t kFirstBatch = 16;   // cells; later ones follow what these needed
+constexpr std::uint32_t kProbes = 16;       // cells of the first batch; later ones follow what these needed
 constexpr std::uint32_t kMostCells = 4096;  // in a batch
-constexpr double kFilling = 0.35;           // of the capacity that a batch is meant to need
+constexpr double kFilling = 0.45;           // of the capacity that a batch is meant to need
 constexpr double kFollowedShare = 0.05;     // of the tolerance, times the power launched: reflections with less are let go
 
 bool hasBoundaries(const MethodPlan& plan) {
@@ -29,6 +29,18 @@ std::vector<std::string> definesFor(const MethodPlan& plan, bool followsReflecti
         defines.push_back("FOLLOW_REFLECTIONS");
     }
     return defines;
+}
+
+/// Some from all over the path come first: what they need, cells will on the whole.
+std::vector<std::uint32_t> withProbesFirst(const std::vector<std::uint32_t>& cells) {
+    std::vector<std::uint32_t> ordered, others;
+    const std::size_t spacing = std::max<std::size_t>(cells.size() / kProbes, 1);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const bool isProbe = i % spacing == spacing / 2 && ordered.size() < kProbes;
+        (isProbe ? ordered : others).push_back(cells[i]);
+    }
+    ordered.insert(ordered.end(), others.begin(), others.end());
+    return ordered;
 }
 
 std::optional<gpu::Texture3D> detailOf(const gpu::Context& context, const Fields& fields) {
@@ -98,11 +110,13 @@ void TubeBake::countBatch(const TubeBatch& batch, std::size_t cells) {
 ReflectedLight TubeBake::follow(const LightPath& path, const Deposits& deposits,
                                 const std::function<void(double)>& progress) {
     kernels_.setMirrors(path.mirrors);
-    const std::uint32_t cellCount = std::uint32_t(path.cells.size());
+    const std::vector<std::uint32_t> pathCells = withProbesFirst(path.cells);
+    const std::uint32_t cellCount = std::uint32_t(pathCells.size());
     ReflectedLight reflected;
     std::vector<CellRange> waiting;
     std::uint32_t nextCell = 0;
-    std::uint32_t batchCells = kFirstBatch;
+    std::uint32_t batchCells = kProbes;
+    double probed = 0.0;  // vertices a cell
     while (nextCell < cellCount || !waiting.empty()) {
         if (waiting.empty()) {
             waiting.push_back({nextCell, std::min(batchCells, cellCount - nextCell), 0});
@@ -110,7 +124,7 @@ ReflectedLight TubeBake::follow(const LightPath& path, const Deposits& deposits,
         }
         const CellRange range = waiting.back();
         waiting.pop_back();
-        const auto cells = std::span(path.cells).subspan(range.first, range.count);
+        const auto cells = std::span(pathCells).subspan(range.first, range.count);
         TubeBatch batch(kernels_, *grids_, cells, capacity_);
         std::uint32_t window = 0;
         if (bake(batch, range, deposits, window)) {
@@ -118,7 +132,9 @@ ReflectedLight TubeBake::follow(const LightPath& path, const Deposits& deposits,
             if (followsReflections_) {
                 reflected.add(cells, batch.reflected());
             }
-            batchCells = std::clamp(std::uint32_t(kFilling * capacity_ / batch.vertexCount() * range.count), 1u, kMostCells);
+            const double needed = double(batch.vertexCount()) / double(range.count);
+            probed = probed == 0.0 ? needed : probed;
+            batchCells = std::clamp(std::uint32_t(kFilling * capacity_ / std::max(probed, needed)), 1u, kMostCells);
         } else {
             const std::uint32_t half = range.count / 2;
             const std::uint32_t firstDeposit = std::max(window, range.firstDeposit);

@@ -104,7 +104,7 @@ void TubeBatch::propagate() {
         }
     }
     kernels_.trace(rays);
-    conformWhere([&](std::uint32_t v) { return !mesh_.vertices[v].isRay; });
+    conformFrom(0, false);
 }
 
 bool TubeBatch::refine() {
@@ -156,7 +156,7 @@ void TubeBatch::traceNew(const std::vector<std::uint32_t>& edges, std::uint32_t 
     if (!rays.empty()) {
         kernels_.trace(rays);
     }
-    conformWhere([&](std::uint32_t v) { return v >= firstVertex && !mesh_.vertices[v].isRay; });
+    conformFrom(firstVertex, false);
 }
 
 void TubeBatch::measure(const std::vector<std::uint32_t>& edges, const std::vector<std::uint32_t>& nodes) {
@@ -165,28 +165,23 @@ void TubeBatch::measure(const std::vector<std::uint32_t>& edges, const std::vect
         const MeshEdge& edge = mesh_.edges[edges[i]];
         items[i] = {edge.middle, edge.ends[0], edge.ends[1], 0};
     }
-    if (!edges.empty()) {
-        const auto measures = kernels_.measureEdges(items);
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            mesh_.edges[edges[i]].strong = samplesOf(measures[i].strong);
-            mesh_.edges[edges[i]].weak = samplesOf(measures[i].weak);
-        }
+    const TubeKernels::Measures measures = kernels_.measure(items, nodes);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        mesh_.edges[edges[i]].strong = samplesOf(measures.edges[i].strong);
+        mesh_.edges[edges[i]].weak = samplesOf(measures.edges[i].weak);
     }
-    if (!nodes.empty()) {
-        const auto measures = kernels_.measureNodes(nodes);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            mesh_.nodes[nodes[i]].strong = samplesOf(measures[i].strong);
-            mesh_.nodes[nodes[i]].weak = samplesOf(measures[i].weak);
-            mesh_.nodes[nodes[i]].launchShare = measures[i].launchShare;
-        }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        mesh_.nodes[nodes[i]].strong = samplesOf(measures.nodes[i].strong);
+        mesh_.nodes[nodes[i]].weak = samplesOf(measures.nodes[i].weak);
+        mesh_.nodes[nodes[i]].launchShare = measures.nodes[i].launchShare;
     }
 }
 
 /// Parents before children: a generation at a time.
-void TubeBatch::conformWhere(const std::function<bool(std::uint32_t)>& wanted) {
+void TubeBatch::conformFrom(std::uint32_t firstVertex, bool withRays) {
     std::vector<std::vector<TubeConformity>> generations;
-    for (std::uint32_t i = 0; i < mesh_.vertices.size(); ++i) {
-        if (isActive_[i] == 0 || !wanted(i)) {
+    for (std::uint32_t i = firstVertex; i < mesh_.vertices.size(); ++i) {
+        if (isActive_[i] == 0 || (mesh_.vertices[i].isRay && !withRays)) {
             continue;
         }
         const Samples live = mesh_.liveSamples(i);
@@ -204,7 +199,7 @@ void TubeBatch::conformWhere(const std::function<bool(std::uint32_t)>& wanted) {
 }
 
 void TubeBatch::conform() {
-    conformWhere([](std::uint32_t) { return true; });
+    conformFrom(0, true);
 }
 
 Samples TubeBatch::stepsNear(std::uint32_t index) const {

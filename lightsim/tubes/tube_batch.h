@@ -36,7 +36,7 @@ private:
     void placeNew();
     void traceNew(const std::vector<std::uint32_t>& edges, std::uint32_t firstNode);
     void measure(const std::vector<std::uint32_t>& edges, const std::vector<std::uint32_t>& nodes);
-    void conformWhere(const std::function<bool(std::uint32_t)>& wanted);
+    void conformFrom(std::uint32_t firstVertex, bool withRays);
     void listJobs(std::uint32_t node, Samples steps, std::vector<TubeJob>& jobs) const;
     Samples stepsNear(std::uint32_t node) const;
     Samples bentSteps(std::uint32_t node) const;

@@ -41,7 +41,8 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       frames_(context, sizeof(LaunchFrame), "launch frames"),
       nodes_(context, capacity * sizeof(TubeNode), "tube nodes"), items_(context, itemBytes(capacity), "tube items"),
       presences_(context, kPresenceHeader + capacity * sizeof(TubePresence), "tube presences"),
-      measures_(context, capacity * sizeof(TubeMeasure), "tube measures"),
+      edgeMeasures_(context, capacity * sizeof(TubeMeasure), "measures of edges"),
+      nodeMeasures_(context, capacity * sizeof(TubeMeasure), "measures of nodes"),
       reflections_(context, followsReflections ? capacity * sizeof(TubeReflections) : 0, "tube reflections"),
       parts_(context, partBytes(defines), "tube parts"),
       freeSamples_(context, freeSampleWords(defines, lattice) * sizeof(std::uint32_t), "free samples"),
@@ -128,9 +129,9 @@ void TubeKernels::run(const gpu::Kernel& kernel, std::size_t items, std::size_t 
     kernel.dispatch({(invocations + BAKE_GROUP_SIZE - 1) / BAKE_GROUP_SIZE, 1, 1});
 }
 
-/// An invocation for everything that is listed.
-void TubeKernels::dispatchList(const gpu::Kernel& kernel, std::size_t list) const {
-    kernel.dispatchIndirect(parts_, list * sizeof(TubePartList) + offsetof(TubePartList, groups));
+/// The invocations for everything that is listed.
+gpu::Kernel::Indirect TubeKernels::listed(const gpu::Kernel& kernel, std::size_t list) {
+    return {kernel, list * sizeof(TubePartList) + offsetof(TubePartList, groups)};
 }
 
 void TubeKernels::place(std::uint32_t first, std::span<const TubeVertex> vertices) {
@@ -149,20 +150,19 @@ void TubeKernels::trace(std::span<const std::uint32_t> vertices) {
     run(trace_, vertices.size());
 }
 
-std::vector<TubeMeasure> TubeKernels::measureEdges(std::span<const TubeEdge> edges) {
+TubeKernels::Measures TubeKernels::measure(std::span<const TubeEdge> edges, std::span<const std::uint32_t> nodes) {
     bindTracks();
-    items_.upload(edges);
-    measures_.bindStorage(TUBE_RESULTS_BINDING);
-    run(measureEdges_, edges.size());
-    return measures_.download<TubeMeasure>(edges.size());
-}
-
-std::vector<TubeMeasure> TubeKernels::measureNodes(std::span<const std::uint32_t> nodes) {
-    bindTracks();
-    items_.upload(nodes);
-    measures_.bindStorage(TUBE_RESULTS_BINDING);
-    run(measureNodes_, nodes.size());
-    return measures_.download<TubeMeasure>(nodes.size());
+    if (!edges.empty()) {
+        items_.upload(edges);
+        edgeMeasures_.bindStorage(TUBE_RESULTS_BINDING);
+        run(measureEdges_, edges.size());
+    }
+    if (!nodes.empty()) {
+        items_.upload(nodes);
+        nodeMeasures_.bindStorage(TUBE_RESULTS_BINDING);
+        run(measureNodes_, nodes.size());
+    }
+    return {edgeMeasures_.download<TubeMeasure>(edges.size()), nodeMeasures_.download<TubeMeasure>(nodes.size())};
 }
 
 void TubeKernels::conform(std::span<const TubeConformity> conformities) {
@@ -193,18 +193,16 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& de
     cells_.bindTexels(gpu::kUnitTubeCells);
     parts_.bindStorage(TUBE_SORT_PARTS_BINDING);
     run(sortCells_, jobs.size(), kCellsPerJob);
-    dispatchList(smoothCells_, TUBE_EVEN_LIST);
-    dispatchList(sortParts_, TUBE_UNEVEN_LIST);
+    gpu::Kernel::dispatchTogether(parts_, {listed(smoothCells_, TUBE_EVEN_LIST), listed(sortParts_, TUBE_UNEVEN_LIST)});
     deposits.light.bind();
     parts_.bindStorage(TUBE_PARTS_BINDING);
     const DepositKernels& into = depositKernels(deposits.light);
-    dispatchList(into.gather, TUBE_GATHER_LIST);
+    gpu::Kernel::dispatchTogether(parts_, {listed(into.gather, TUBE_GATHER_LIST), listed(into.lines, TUBE_LINE_LIST),
+                                           listed(into.rays, TUBE_RAY_LIST)});
     if (into.gatherInCut) {
         freeSamples_.bindStorage(TUBE_FREE_SAMPLES_BINDING);
-        dispatchList(*into.gatherInCut, TUBE_CUT_LIST);
+        gpu::Kernel::dispatchTogether(parts_, {listed(*into.gatherInCut, TUBE_CUT_LIST)});
     }
-    dispatchList(into.lines, TUBE_LINE_LIST);
-    dispatchList(into.rays, TUBE_RAY_LIST);
     if (deposits.eikonal != nullptr) {
         deposits.eikonal->add(parts_);
     }
@@ -229,7 +227,7 @@ std::uint64_t TubeKernels::fieldEvaluations() const {
 std::size_t TubeKernels::bytes() const {
     std::size_t sum = 0;
     const std::initializer_list<const gpu::Buffer*> buffers = {
-        &vertices_, &frames_, &nodes_, &items_, &presences_, &measures_, &reflections_, &parts_, &freeSamples_, &ledger_,
+        &vertices_, &frames_, &nodes_, &items_, &presences_, &edgeMeasures_, &nodeMeasures_, &reflections_, &parts_, &freeSamples_, &ledger_,
         &settingsBlock_, &tubeBlock_, &positions_, &shares_, &cells_};
     for (const gpu::Buffer* buffer : buffers) {
         sum += buffer->bytes();

@@ -42,8 +42,10 @@ public:
     void place(std::uint32_t first, std::span<const TubeVertex> vertices);
     void placeNodes(std::uint32_t first, std::span<const TubeNode> nodes);
     void trace(std::span<const std::uint32_t> vertices);
-    std::vector<TubeMeasure> measureEdges(std::span<const TubeEdge> edges);
-    std::vector<TubeMeasure> measureNodes(std::span<const std::uint32_t> nodes);
+    struct Measures {
+        std::vector<TubeMeasure> edges, nodes;
+    };
+    Measures measure(std::span<const TubeEdge> edges, std::span<const std::uint32_t> nodes);
     void conform(std::span<const TubeConformity> conformities);
     /// Of all vertices, as their last trace left it.
     std::vector<TubePresence> presences(std::uint32_t count) const;
@@ -72,14 +74,14 @@ private:
 
     void bindTracks() const;
     void run(const gpu::Kernel& kernel, std::size_t items, std::size_t invocationsPerItem = 1);
-    void dispatchList(const gpu::Kernel& kernel, std::size_t list) const;
+    static gpu::Kernel::Indirect listed(const gpu::Kernel& kernel, std::size_t list);
     void depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits);
     const DepositKernels& depositKernels(const VoxelSums& sums);
 
     const gpu::Context& context_;
     std::vector<std::string> defines_;
     TubeSettings tubeSettings_{};
-    gpu::Buffer vertices_, frames_, nodes_, items_, presences_, measures_, reflections_, parts_, freeSamples_, ledger_,
+    gpu::Buffer vertices_, frames_, nodes_, items_, presences_, edgeMeasures_, nodeMeasures_, reflections_, parts_, freeSamples_, ledger_,
         settingsBlock_, tubeBlock_;
     gpu::RowBuffer positions_, shares_, cells_;
     gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sortCells_, smoothCells_, sortParts_, tally_;

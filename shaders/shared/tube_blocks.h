@@ -135,7 +135,10 @@ struct TubeCell {
 // Samples along each axis of a voxel that opaque matter cuts.
 #define TUBE_SAMPLES_ACROSS_CUT 4
 
-// What has been listed, and the indirect dispatch with an invocation a part.
+// Invocations that gather a part, each every so manieth row of its samples.
+#define TUBE_GATHERS_PER_PART 4u
+
+// What has been listed, and the indirect dispatch with its invocations: one a part, or so many that gather it.
 struct TubePartList {
     uvec3 groups;
     uint count;
@@ -152,7 +155,7 @@ struct TubePartsHeader {
 
 // A part of a cell: its number, the binary logarithms of the cuts along u, v and t, and which of them it is.
 #define TUBE_PART_CELL_BITS 16u
-#define TUBE_MAX_JOBS 8192u         // a chunk: four cells each
+#define TUBE_MAX_JOBS 16384u         // a chunk: four cells each
 #define TUBE_MOST_LOG_CUTS 6        // of a cell
 #define TUBE_MAX_PARTS 64u          // of a cell: 2 to the power of that
 

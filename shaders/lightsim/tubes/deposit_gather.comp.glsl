@@ -124,11 +124,18 @@ bool hasSamplesLeft(Row row) {
     return row.next < row.end;
 }
 
-// The first row from this one on, y first, that has samples left; beyond the last one z is too large.
+// So many rows on, y first.
+vec2 rowsOn(vec2 number, float rows, Box box) {
+    float along = number.x - box.first.y + rows;
+    float across = box.end.y - box.first.y;
+    float layers = floor((along + 0.5) / across);
+    return vec2(box.first.y + along - layers * across, number.y + layers);
+}
+
+// The first from this row on, of those that an invocation takes, that has samples left; beyond the last one z is too large.
 Row withSamples(Row row, Gather gather, Box box) {
     while (!hasSamplesLeft(row) && row.number.y < box.end.z) {
-        bool isLast = row.number.x + 1.0 >= box.end.y;
-        row = rowAt(isLast ? vec2(box.first.y, row.number.y + 1.0) : row.number + vec2(1.0, 0.0), gather, box);
+        row = rowAt(rowsOn(row.number, float(TUBE_GATHERS_PER_PART), box), gather, box);
     }
     return row;
 }
@@ -138,11 +145,11 @@ ivec3 voxelOf(vec3 sampleNumber) {
 }
 
 // Adds what samples bring, one after the other of row after row in one loop, for invocations wait for the one that has most to do.
-void gatherFrom(Box box, Gather gather, CornerLight corners) {
+void gatherFrom(Box box, Gather gather, CornerLight corners, uint firstRow) {
     Light light = Light(vec3(0.0), vec3(0.0));
     vec3 extent = box.end - box.first;
     int most = int(extent.x * extent.y * extent.z);
-    Row row = withSamples(rowAt(box.first.yz, gather, box), gather, box);
+    Row row = withSamples(rowAt(rowsOn(box.first.yz, float(firstRow), box), gather, box), gather, box);
     for (int i = 0; i < most && row.number.y < box.end.z; ++i) {
         vec3 number = vec3(row.next, row.number);
         ivec3 voxel = voxelOf(number);
@@ -163,20 +170,22 @@ void gatherFrom(Box box, Gather gather, CornerLight corners) {
 }
 
 void main() {
-    if (gl_GlobalInvocationID.x >= header.lists[kList].count) {
+    uint index = gl_GlobalInvocationID.x / TUBE_GATHERS_PER_PART;
+    uint firstRow = gl_GlobalInvocationID.x % TUBE_GATHERS_PER_PART;
+    if (index >= header.lists[kList].count) {
         return;
     }
-    uint packed_ = listedPart(kList, gl_GlobalInvocationID.x);
+    uint packed_ = listedPart(kList, index);
     Part part = unpackedPart(packed_);
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
     Box box = boxOf(map);
 #if defined(EFFECT_OPAQUE) && !defined(CUT_VOXELS)
-    if (meetsCutVoxel(box.first, box.end)) {
+    if (firstRow == 0u && meetsCutVoxel(box.first, box.end)) {
         listPart(TUBE_CUT_LIST, packed_);
     }
 #endif
     Box samples = samplesIn(box);
     if (all(lessThan(samples.first, samples.end))) {
-        gatherFrom(samples, gatherOf(part, map), cornerLightOf(part.cell));
+        gatherFrom(samples, gatherOf(part, map), cornerLightOf(part.cell), firstRow);
     }
 }

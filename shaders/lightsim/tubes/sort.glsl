@@ -105,7 +105,7 @@ void listParts(uint list, uint cell, ivec3 logCuts) {
         ivec3 index = ivec3(i, i >> uint(logCuts.x), i >> uint(logCuts.x + logCuts.y)) & ((ivec3(1) << logCuts) - 1);
         parts[list * TUBE_LIST_PARTS + place + i] = packedPart(cell, logCuts, index);
     }
-    atomicMax(header.lists[list].groups.x, (place + count - 1u) / BAKE_GROUP_SIZE + 1u);
+    countGroups(list, place + count);
 }
 
 // A cell that is not even: part by part, or as lines if its node is not resolved anyway, for want of power.
