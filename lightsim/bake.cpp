@@ -146,11 +146,11 @@ BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& sceneLig
     if (grids.strongestPower > 0.0) {
         const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);
         Device& device = deviceFor(bake::bandsOf(lights, fields, effects_, accuracy_), fields, grids, settings);
-        result.statistics.memoryBytes = device.bytes();
         result.statistics.seconds.upload = secondsSince(start);
         device.bakeSlabs(fields, options, result);
         device.bakeLobes(context_, *lobeCriterion_,
                          {fields, bake::depositUnit(settings, fields.lattice), device.bands, blockBytes()}, options, result);
+        result.statistics.memoryBytes = device.bytes();
         bake::readLedger(device.method->ledger(), 1.0 / double(settings.ledgerScale), result.statistics.energy);
         bake::integrateDeposits(fields, bake::usesPatches(accuracy_) ? bake::VoxelMean::kHat : bake::VoxelMean::kCube, result.light,
                                 result.statistics.energy);

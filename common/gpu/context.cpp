@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,12 +40,14 @@ void GLAPIENTRY collectError(GLenum, GLenum type, GLuint, GLenum, GLsizei length
     if (errors.size() < kMostErrorsKept) errors.emplace_back(message, std::size_t(length));
 }
 
-DeviceLimits queriedLimits() {
+DeviceLimits queriedLimits(bool asHardware) {
     DeviceLimits limits;
     GLint64 blockBytes = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &blockBytes);
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limits.maxTexture3dSize);
     limits.maxStorageBlockBytes = std::size_t(blockBytes);
+    const std::string_view renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    limits.isProcessor = !asHardware && (renderer.starts_with("llvmpipe") || renderer.starts_with("softpipe"));
     return limits;
 }
 
@@ -76,7 +79,7 @@ Context Context::adopt(std::function<void()> makeCurrent, std::function<void()> 
     glDebugMessageCallback(collectError, &impl->errors);
     // A shader that does not compile is told by its status, and may be wrong input (ContextOptions::shaderFolder).
     glDebugMessageControl(GL_DEBUG_SOURCE_SHADER_COMPILER, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
-    impl->limits = queriedLimits();
+    impl->limits = queriedLimits(options.asHardware);
     impl->transfer = std::make_unique<Transfer>();
     Context context(std::move(impl));
     context.impl_->limits.exactLinearFiltering = !options.forceManualFiltering && filtersExactly(context);

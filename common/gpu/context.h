@@ -13,10 +13,12 @@ namespace eikonal::gpu {
 struct DeviceLimits {
     std::size_t maxStorageBlockBytes = 0;
     int maxTexture3dSize = 0;
+    bool isProcessor = false;          ///< a software renderer: vectors of a few invocations, and a processor's caches
     bool exactLinearFiltering = true;  ///< false: the texture unit weights with fewer bits than a float; filter by hand
 };
 
 struct ContextOptions {
+    bool asHardware = false;  ///< cut work as for a GPU, whatever renders
     bool forceManualFiltering = false;  ///< behave as on a device whose linear filtering is not exact
     std::filesystem::path shaderFolder;  ///< where shaders are read in place of those in the program; empty: nowhere
 };

@@ -27,8 +27,11 @@ public:
 
     std::size_t bytes() const { return bytes_; }
     GLuint name() const { return name_; }
+    const std::string& label() const { return label_; }
     void uploadBytes(std::size_t offset, const void* data, std::size_t bytes);
     void downloadBytes(std::size_t offset, void* data, std::size_t bytes) const;
+    /// Makes it at least so large, in another place. What it holds stays.
+    void grow(std::size_t bytes);
     /// Fills the whole buffer with a 32-bit value.
     void fill(std::uint32_t value);
     void bindStorage(GLuint binding) const;
@@ -47,6 +50,7 @@ public:
 
 private:
     Transfer* transfer_ = nullptr;
+    std::string label_;
     GLuint name_ = 0;
     std::size_t bytes_ = 0;
 };

@@ -40,6 +40,12 @@ RowBuffer::~RowBuffer() {
     if (texels_) glDeleteTextures(1, &texels_);
 }
 
+void RowBuffer::grow(std::size_t bytes) {
+    requireRows(bytes, label());
+    Buffer::grow(bytes);
+    glTextureBuffer(texels_, GL_RGBA32UI, name());
+}
+
 void RowBuffer::bindTexels(GLuint unit) const { glBindTextureUnit(unit, texels_); }
 
 } // namespace eikonal::gpu

@@ -14,6 +14,8 @@ public:
     RowBuffer& operator=(RowBuffer&& other) noexcept;
     ~RowBuffer();
 
+    /// See Buffer. Throws as the constructor does.
+    void grow(std::size_t bytes);
     /// For kernels that read it.
     void bindTexels(GLuint unit) const;
 

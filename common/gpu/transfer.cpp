@@ -10,8 +10,8 @@ namespace eikonal::gpu {
 
 namespace {
 
-constexpr std::size_t kSegmentBytes = std::size_t(4) << 20;
-constexpr std::size_t kDownBytes = std::size_t(16) << 20;
+constexpr std::size_t kSegmentBytes = std::size_t(1) << 20;
+constexpr std::size_t kDownBytes = std::size_t(4) << 20;
 constexpr std::size_t kAlignment = 64;
 constexpr GLuint64 kPatience = 1'000'000'000;  // [ns] between two looks whether the device is done
 

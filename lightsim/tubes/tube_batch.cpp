@@ -75,6 +75,7 @@ bool TubeBatch::markAlive(std::uint32_t index) {
 }
 
 void TubeBatch::placeNew() {
+    kernels_.makeRoomFor(mesh_.vertices.size());
     std::vector<TubeVertex> vertices(mesh_.vertices.size() - placedVertices_);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const MeshVertex& vertex = mesh_.vertices[placedVertices_ + i];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <initializer_list>
 
@@ -14,14 +15,21 @@ namespace {
 // The trace's answer begins with its count of field evaluations.
 constexpr std::size_t kPresenceHeader = 4 * sizeof(std::uint32_t);
 constexpr std::size_t kCellsPerJob = 4;
+// Room for these many is made at once.
+constexpr std::uint32_t kFirstVertices = 4096;
+constexpr std::size_t kFirstJobs = 1024;
 
 bool hasOpaque(const std::vector<std::string>& defines) {
     return std::find(defines.begin(), defines.end(), "EFFECT_OPAQUE") != defines.end();
 }
 
-std::size_t partBytes(const std::vector<std::string>& defines) {
-    const std::size_t lists = hasOpaque(defines) ? TUBE_LISTS : TUBE_CUT_LIST;
-    return sizeof(TubePartsHeader) + lists * TUBE_LIST_PARTS * sizeof(std::uint32_t);
+std::vector<std::string> withGathers(std::vector<std::string> defines, int gathersPerPart) {
+    defines.push_back("GATHERS_PER_PART " + std::to_string(gathersPerPart));
+    return defines;
+}
+
+std::size_t partBytes(std::size_t jobs) {
+    return sizeof(TubePartsHeader) + TUBE_LISTS * jobs * kCellsPerJob * TUBE_MAX_PARTS * sizeof(std::uint32_t);
 }
 
 /// A byte a voxel.
@@ -29,39 +37,36 @@ std::size_t freeSampleWords(const std::vector<std::string>& defines, const Latti
     return hasOpaque(defines) ? (lattice.count() + 3) / 4 : 0;
 }
 
-std::size_t itemBytes(std::size_t capacity) {
-    return std::max(capacity * sizeof(TubeConformity), TUBE_MAX_JOBS * sizeof(TubeJob));
-}
-
 } // namespace
+
+TubeKernels::Cut TubeKernels::cutFor(const gpu::DeviceLimits& limits) {
+    return limits.isProcessor ? Cut{1, 4096} : Cut{8, TUBE_MAX_JOBS};
+}
 
 TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
                          std::uint32_t capacity, bool followsReflections)
-    : context_(context), defines_(defines), vertices_(context, capacity * sizeof(TubeVertex), "tube vertices"),
-      frames_(context, sizeof(LaunchFrame), "launch frames"),
-      nodes_(context, capacity * sizeof(TubeNode), "tube nodes"), items_(context, itemBytes(capacity), "tube items"),
-      presences_(context, kPresenceHeader + capacity * sizeof(TubePresence), "tube presences"),
-      edgeMeasures_(context, capacity * sizeof(TubeMeasure), "measures of edges"),
-      nodeMeasures_(context, capacity * sizeof(TubeMeasure), "measures of nodes"),
-      reflections_(context, followsReflections ? capacity * sizeof(TubeReflections) : 0, "tube reflections"),
-      parts_(context, partBytes(defines), "tube parts"),
+    : context_(context), cut_(cutFor(context.limits())), defines_(withGathers(defines, cut_.gathersPerPart)),
+      capacity_(capacity), followsReflections_(followsReflections),
+      vertices_(context, 0, "tube vertices"), frames_(context, sizeof(LaunchFrame), "launch frames"),
+      nodes_(context, 0, "tube nodes"), items_(context, 0, "tube items"),
+      presences_(context, kPresenceHeader, "tube presences"), edgeMeasures_(context, 0, "measures of edges"),
+      nodeMeasures_(context, 0, "measures of nodes"), reflections_(context, 0, "tube reflections"),
+      parts_(context, partBytes(0), "tube parts"),
       freeSamples_(context, freeSampleWords(defines, lattice) * sizeof(std::uint32_t), "free samples"),
       ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
       settingsBlock_(context, sizeof(BakeSettings), "bake settings"),
       tubeBlock_(context, sizeof(TubeSettings), "tube settings"),
-      positions_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube positions"),
-      shares_(context, std::size_t(capacity) * TUBE_SAMPLES * sizeof(glm::vec4), "tube shares"),
-      cells_(context, TUBE_MAX_JOBS * kCellsPerJob * sizeof(TubeCell), "tube cells"),
-      trace_(context, "lightsim/tubes/trace.comp.glsl", defines),
-      measureEdges_(context, "lightsim/tubes/measure_edges.comp.glsl", defines),
-      measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines),
-      conform_(context, "lightsim/tubes/conform.comp.glsl", defines),
-      sortCells_(context, "lightsim/tubes/sort_cells.comp.glsl", defines),
-      smoothCells_(context, "lightsim/tubes/smooth_cells.comp.glsl", defines),
-      sortParts_(context, "lightsim/tubes/sort_parts.comp.glsl", defines),
-      tally_(context, "lightsim/tubes/tally.comp.glsl", defines), intoSums_(context, defines) {
+      positions_(context, 0, "tube positions"), shares_(context, 0, "tube shares"), cells_(context, 0, "tube cells"),
+      trace_(context, "lightsim/tubes/trace.comp.glsl", defines_),
+      measureEdges_(context, "lightsim/tubes/measure_edges.comp.glsl", defines_),
+      measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines_),
+      conform_(context, "lightsim/tubes/conform.comp.glsl", defines_),
+      sortCells_(context, "lightsim/tubes/sort_cells.comp.glsl", defines_),
+      smoothCells_(context, "lightsim/tubes/smooth_cells.comp.glsl", defines_),
+      sortParts_(context, "lightsim/tubes/sort_parts.comp.glsl", defines_),
+      tally_(context, "lightsim/tubes/tally.comp.glsl", defines_), intoSums_(context, defines_) {
     if (hasOpaque(defines)) {
-        countFreeSamples_.emplace(context, "lightsim/tubes/free_samples.comp.glsl", defines);
+        countFreeSamples_.emplace(context, "lightsim/tubes/free_samples.comp.glsl", defines_);
     }
 }
 
@@ -134,6 +139,19 @@ gpu::Kernel::Indirect TubeKernels::listed(const gpu::Kernel& kernel, std::size_t
     return {kernel, list * sizeof(TubePartList) + offsetof(TubePartList, groups)};
 }
 
+void TubeKernels::makeRoomFor(std::size_t vertexCount) {
+    const std::size_t room = std::max<std::size_t>(
+        vertexCount, std::min(capacity_, std::bit_ceil(std::max(std::uint32_t(vertexCount), kFirstVertices))));
+    vertices_.grow(room * sizeof(TubeVertex));
+    nodes_.grow(room * sizeof(TubeNode));
+    presences_.grow(kPresenceHeader + room * sizeof(TubePresence));
+    edgeMeasures_.grow(room * sizeof(TubeMeasure));
+    nodeMeasures_.grow(room * sizeof(TubeMeasure));
+    reflections_.grow(followsReflections_ ? room * sizeof(TubeReflections) : 0);
+    positions_.grow(room * TUBE_SAMPLES * sizeof(glm::vec4));
+    shares_.grow(room * TUBE_SAMPLES * sizeof(glm::vec4));
+}
+
 void TubeKernels::place(std::uint32_t first, std::span<const TubeVertex> vertices) {
     vertices_.uploadBytes(first * sizeof(TubeVertex), vertices.data(), vertices.size_bytes());
 }
@@ -143,22 +161,23 @@ void TubeKernels::placeNodes(std::uint32_t first, std::span<const TubeNode> node
 }
 
 void TubeKernels::trace(std::span<const std::uint32_t> vertices) {
+    uploadItems(vertices);
     bindTracks();
-    items_.upload(vertices);
     presences_.bindStorage(TUBE_RESULTS_BINDING);
     reflections_.bindStorage(TUBE_REFLECTIONS_BINDING);
     run(trace_, vertices.size());
 }
 
 TubeKernels::Measures TubeKernels::measure(std::span<const TubeEdge> edges, std::span<const std::uint32_t> nodes) {
-    bindTracks();
     if (!edges.empty()) {
-        items_.upload(edges);
+        uploadItems(edges);
+        bindTracks();
         edgeMeasures_.bindStorage(TUBE_RESULTS_BINDING);
         run(measureEdges_, edges.size());
     }
     if (!nodes.empty()) {
-        items_.upload(nodes);
+        uploadItems(nodes);
+        bindTracks();
         nodeMeasures_.bindStorage(TUBE_RESULTS_BINDING);
         run(measureNodes_, nodes.size());
     }
@@ -166,8 +185,8 @@ TubeKernels::Measures TubeKernels::measure(std::span<const TubeEdge> edges, std:
 }
 
 void TubeKernels::conform(std::span<const TubeConformity> conformities) {
+    uploadItems(conformities);
     bindTracks();
-    items_.upload(conformities);
     run(conform_, conformities.size());
 }
 
@@ -178,14 +197,17 @@ std::vector<TubePresence> TubeKernels::presences(std::uint32_t count) const {
 }
 
 void TubeKernels::deposit(std::span<const TubeJob> jobs, const Deposits& deposits) {
-    for (std::size_t begin = 0; begin < jobs.size(); begin += TUBE_MAX_JOBS) {
-        depositChunk(jobs.subspan(begin, std::min<std::size_t>(TUBE_MAX_JOBS, jobs.size() - begin)), deposits);
+    for (std::size_t begin = 0; begin < jobs.size(); begin += cut_.jobs) {
+        depositChunk(jobs.subspan(begin, std::min(cut_.jobs, jobs.size() - begin)), deposits);
     }
 }
 
 void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits) {
+    const std::size_t room = std::bit_ceil(std::max(jobs.size(), kFirstJobs));
+    cells_.grow(room * kCellsPerJob * sizeof(TubeCell));
+    parts_.grow(partBytes(room));
+    uploadItems(jobs);
     bindTracks();
-    items_.upload(jobs);
     std::array<TubePartList, TUBE_LISTS> lists{};
     lists.fill({{0, 1, 1}, 0});
     parts_.upload(lists);  // the count of folded cells behind them goes on
@@ -209,7 +231,7 @@ void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& de
 }
 
 void TubeKernels::tally(std::span<const glm::vec4> powers) {
-    items_.upload(powers);
+    uploadItems(powers);
     bindTracks();
     ledger_.bindStorage(BAKE_LEDGER_BINDING);
     items_.bindStorage(TUBE_RESULTS_BINDING);

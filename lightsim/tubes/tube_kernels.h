@@ -26,8 +26,8 @@ struct Deposits {
 
 class TubeKernels {
 public:
-    /// Room for `capacity` vertices, on a lattice. Where reflections are followed, the kernels are other variants. Keeps a
-    /// reference to the context.
+    /// For at most `capacity` vertices, on a lattice; memory is taken as they come. Where reflections are followed, the kernels
+    /// are other variants. Keeps a reference to the context.
     TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
                 std::uint32_t capacity, bool followsReflections);
 
@@ -38,6 +38,8 @@ public:
     void setMirrors(const Mirrors& mirrors);
     void beginWindow(std::uint32_t firstStep) { tubeSettings_.firstStep = firstStep; }
 
+    /// For the vertices of a mesh, and as many nodes and edges as they can have.
+    void makeRoomFor(std::size_t vertexCount);
     /// Uploads vertices, not launched yet, from number `first` on.
     void place(std::uint32_t first, std::span<const TubeVertex> vertices);
     void placeNodes(std::uint32_t first, std::span<const TubeNode> nodes);
@@ -78,8 +80,25 @@ private:
     void depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits);
     const DepositKernels& depositKernels(const VoxelSums& sums);
 
+    /// How deposits are cut into dispatches and invocations: a processor wants one invocation a part and what stays in its
+    /// caches, a GPU many of both.
+    struct Cut {
+        int gathersPerPart;
+        std::size_t jobs;
+    };
+    static Cut cutFor(const gpu::DeviceLimits& limits);
+
+    template <class T>
+    void uploadItems(std::span<const T> items) {
+        items_.grow(items.size_bytes());
+        items_.upload(items);
+    }
+
     const gpu::Context& context_;
+    Cut cut_;
     std::vector<std::string> defines_;
+    std::uint32_t capacity_;
+    bool followsReflections_;
     TubeSettings tubeSettings_{};
     gpu::Buffer vertices_, frames_, nodes_, items_, presences_, edgeMeasures_, nodeMeasures_, reflections_, parts_, freeSamples_, ledger_,
         settingsBlock_, tubeBlock_;

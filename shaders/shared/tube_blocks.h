@@ -121,7 +121,7 @@ struct TubeCell {
     vec4 litParts;    // of the steps at the corners: what lies in front of opaque matter
 };
 
-// Lists of the parts of cells that are deposited alike, TUBE_LIST_PARTS entries each; they follow in the block.
+// Lists of the parts of cells that are deposited alike; they follow in the block, the first entries of all before the second.
 #define TUBE_GATHER_LIST 0
 #define TUBE_LINE_LIST 1
 #define TUBE_RAY_LIST 2
@@ -130,15 +130,11 @@ struct TubeCell {
 #define TUBE_UNEVEN_LIST 4    // parts that are still to be sorted
 #define TUBE_CUT_LIST 5       // gathered parts that reach into voxels which opaque matter cuts; last, for without it there is none
 #define TUBE_LISTS 6
-#define TUBE_LIST_PARTS (4u * TUBE_MAX_JOBS * TUBE_MAX_PARTS)
 
 // Samples along each axis of a voxel that opaque matter cuts.
 #define TUBE_SAMPLES_ACROSS_CUT 4
 
-// Invocations that gather a part, each every so manieth row of its samples.
-#define TUBE_GATHERS_PER_PART 4u
-
-// What has been listed, and the indirect dispatch with its invocations: one a part, or so many that gather it.
+// What has been listed, and the indirect dispatch with its invocations: one a part, or GATHERS_PER_PART that gather it.
 struct TubePartList {
     uvec3 groups;
     uint count;
@@ -155,7 +151,7 @@ struct TubePartsHeader {
 
 // A part of a cell: its number, the binary logarithms of the cuts along u, v and t, and which of them it is.
 #define TUBE_PART_CELL_BITS 16u
-#define TUBE_MAX_JOBS 16384u         // a chunk: four cells each
+#define TUBE_MAX_JOBS 16384u        // a chunk: four cells each
 #define TUBE_MOST_LOG_CUTS 6        // of a cell
 #define TUBE_MAX_PARTS 64u          // of a cell: 2 to the power of that
 

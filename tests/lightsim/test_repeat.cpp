@@ -6,12 +6,16 @@ namespace {
 
 class Repeat : public ::testing::TestWithParam<Deposit> {
 protected:
-    static BakeResult bakeWith(const BakeOptions& options) {
-        static const Fields fields = test::absorbingSphereInSmoke(24);
+    static Scene lamps() {
         Scene scene = test::sceneWith(DirectionalLight{{0.9, 0.3, 0.1}, glm::dvec3(1.0, 0.9, 0.7)});
         scene.lights.push_back(PointLight{{0.2, 0.7, 0.8}, glm::dvec3(3.0)});
         scene.accuracy.deposit = GetParam();
-        return test::bake(scene, fields, options);
+        return scene;
+    }
+
+    static BakeResult bakeWith(const BakeOptions& options) {
+        static const Fields fields = test::absorbingSphereInSmoke(24);
+        return test::bake(lamps(), fields, options);
     }
 
     static void expectEqual(const BakeResult& a, const BakeResult& b) {
@@ -38,6 +42,23 @@ TEST_P(Repeat, IsIndependentOfThePool) {
 TEST_P(Repeat, IsIndependentOfTheLargestBlock) {
     // 24 x 24 voxels x 8 bytes a layer: seven layers a slab, four slabs, the last one thinner
     expectEqual(bakeWith({.maxBlockBytes = 7 * 24 * 24 * 8}), bakeWith({}));
+}
+
+TEST_P(Repeat, IsIndependentOfHowWorkIsCut) {
+    Fields fields = test::absorbingSphereInSmoke(24);
+    fields.opaque = DenseGrid<float>(fields.lattice.size, 0.0f);
+    test::forEachVoxel(fields.lattice, [&](const glm::ivec3& v) {
+        fields.opaque.at(v) = float(test::sphereCoverage(fields.lattice, v, 0.3));
+    });
+    fields.albedo = DenseGrid<glm::vec3>(fields.lattice.size, glm::vec3(0.5f));
+    const Scene scene = lamps();
+    const EffectSet effects = decideEffects(scene, fields);
+    const BakeResult usual = bakeScene(test::sharedContext(), scene, fields, effects, {});
+    {
+        const gpu::Context hardware = gpu::Context::windowless({.asHardware = true});
+        expectEqual(bakeScene(hardware, scene, fields, effects, {}), usual);
+    }
+    test::sharedContext().makeCurrent();
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachDeposit, Repeat, ::testing::Values(Deposit::kSplat, Deposit::kPeak, Deposit::kAuto),

@@ -135,7 +135,7 @@ vec2 rowsOn(vec2 number, float rows, Box box) {
 // The first from this row on, of those that an invocation takes, that has samples left; beyond the last one z is too large.
 Row withSamples(Row row, Gather gather, Box box) {
     while (!hasSamplesLeft(row) && row.number.y < box.end.z) {
-        row = rowAt(rowsOn(row.number, float(TUBE_GATHERS_PER_PART), box), gather, box);
+        row = rowAt(rowsOn(row.number, float(GATHERS_PER_PART), box), gather, box);
     }
     return row;
 }
@@ -170,8 +170,8 @@ void gatherFrom(Box box, Gather gather, CornerLight corners, uint firstRow) {
 }
 
 void main() {
-    uint index = gl_GlobalInvocationID.x / TUBE_GATHERS_PER_PART;
-    uint firstRow = gl_GlobalInvocationID.x % TUBE_GATHERS_PER_PART;
+    uint index = gl_GlobalInvocationID.x / uint(GATHERS_PER_PART);
+    uint firstRow = gl_GlobalInvocationID.x % uint(GATHERS_PER_PART);
     if (index >= header.lists[kList].count) {
         return;
     }

@@ -12,7 +12,7 @@ void main() {
     if (gl_GlobalInvocationID.x >= header.lists[TUBE_EVEN_LIST].count) {
         return;
     }
-    Part part = unpackedPart(parts[TUBE_EVEN_LIST * TUBE_LIST_PARTS + gl_GlobalInvocationID.x]);
+    Part part = unpackedPart(listedPart(TUBE_EVEN_LIST, gl_GlobalInvocationID.x));
     TubeJob job = jobs[part.cell / 4u];
     TubeNode node = nodes[job.node];
     cells[part.cell].volumes = volumesOf(node, mapOf(part.cell), part.cell % 4u,

@@ -103,7 +103,7 @@ void listParts(uint list, uint cell, ivec3 logCuts) {
     uint place = atomicAdd(header.lists[list].count, count);
     for (uint i = 0u; i < count; ++i) {
         ivec3 index = ivec3(i, i >> uint(logCuts.x), i >> uint(logCuts.x + logCuts.y)) & ((ivec3(1) << logCuts) - 1);
-        parts[list * TUBE_LIST_PARTS + place + i] = packedPart(cell, logCuts, index);
+        parts[entryOf(list, place + i)] = packedPart(cell, logCuts, index);
     }
     countGroups(list, place + count);
 }
