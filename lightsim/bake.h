@@ -27,7 +27,8 @@ class LobeCriterion;
 
 struct BakeOptions {
     std::uint32_t poolPatches = 16384;  ///< patches alive at a time; any number >= 8 gives the same grids
-    std::uint32_t tubeVertices = 65536;  ///< rays in memory at a time; any number that one launch cell needs gives the same grids
+    std::uint32_t tubeVertices = 0;      ///< most rays in memory at a time; any number that one launch cell needs gives the same
+                                         ///< grids. 0: as suits the device
     std::size_t maxBlockBytes = 0;      ///< largest storage block; 0: the device's limit. Smaller ones take more passes
     bool eikonal = false;               ///< the bake holds the eikonal too; deposits `auto` and `cells` only
     double meshScale = 1.0;  ///< steps, patches and launch cells are as many times longer than the tolerance makes them

@@ -43,6 +43,13 @@ std::vector<std::uint32_t> withProbesFirst(const std::vector<std::uint32_t>& cel
     return ordered;
 }
 
+/// A GPU has more to do at a time with more rays; their tracks are blocks.
+std::uint32_t verticesFor(const gpu::DeviceLimits& limits) {
+    constexpr std::uint32_t kOnProcessor = 65536, kOnGpu = 262144;
+    const std::size_t most = limits.maxStorageBlockBytes / (TUBE_SAMPLES * sizeof(glm::vec4));
+    return std::uint32_t(std::min<std::size_t>(limits.isProcessor ? kOnProcessor : kOnGpu, most));
+}
+
 std::optional<gpu::Texture3D> detailOf(const gpu::Context& context, const Fields& fields) {
     const DenseGrid<unsigned char> distance = distanceToDetail(fields);
     return isAnywhere(distance) ? std::optional(detailTexture(context, distance)) : std::nullopt;
@@ -52,7 +59,7 @@ std::optional<gpu::Texture3D> detailOf(const gpu::Context& context, const Fields
 
 TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const BakeOptions& options, const LaunchGrids& grids,
                    const BakeSettings& settings)
-    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(options.tubeVertices),
+    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(options.tubeVertices > 0 ? options.tubeVertices : verticesFor(context.limits())),
       layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)),
       followsReflections_(plan.accuracy.reflections > 0 && hasBoundaries(plan)),
       detail_(detailOf(context, plan.fields)),
