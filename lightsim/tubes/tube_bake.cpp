@@ -12,6 +12,7 @@ namespace eikonal::bake {
 namespace {
 
 constexpr std::uint32_t kProbes = 16;       // cells of the first batch; later ones follow what these needed
+constexpr std::uint32_t kMostNeeded = 1024; // vertices a cell, on the whole: with room for those, nothing is probed
 constexpr std::uint32_t kMostCells = 4096;  // in a batch
 constexpr double kFilling = 0.45;           // of the capacity that a batch is meant to need
 constexpr double kFollowedShare = 0.05;     // of the tolerance, times the power launched: reflections with less are let go
@@ -59,7 +60,8 @@ std::optional<gpu::Texture3D> detailOf(const gpu::Context& context, const Fields
 
 TubeBake::TubeBake(const gpu::Context& context, const MethodPlan& plan, const BakeOptions& options, const LaunchGrids& grids,
                    const BakeSettings& settings)
-    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings), capacity_(options.tubeVertices > 0 ? options.tubeVertices : verticesFor(context.limits())),
+    : accuracy_(plan.accuracy), fields_(plan.fields), grids_(&grids), settings_(settings),
+      capacity_(options.tubeVertices > 0 ? options.tubeVertices : verticesFor(context.limits())),
       layers_(layersPerSlab(plan.fields.lattice, plan.blockBytes)),
       followsReflections_(plan.accuracy.reflections > 0 && hasBoundaries(plan)),
       detail_(detailOf(context, plan.fields)),
@@ -117,12 +119,13 @@ void TubeBake::countBatch(const TubeBatch& batch, std::size_t cells) {
 ReflectedLight TubeBake::follow(const LightPath& path, const Deposits& deposits,
                                 const std::function<void(double)>& progress) {
     kernels_.setMirrors(path.mirrors);
-    const std::vector<std::uint32_t> pathCells = withProbesFirst(path.cells);
-    const std::uint32_t cellCount = std::uint32_t(pathCells.size());
+    const std::uint32_t cellCount = std::uint32_t(path.cells.size());
+    const bool isProbed = cellCount > capacity_ / kMostNeeded;
+    const std::vector<std::uint32_t> pathCells = isProbed ? withProbesFirst(path.cells) : path.cells;
     ReflectedLight reflected;
     std::vector<CellRange> waiting;
     std::uint32_t nextCell = 0;
-    std::uint32_t batchCells = kProbes;
+    std::uint32_t batchCells = isProbed ? kProbes : cellCount;
     double probed = 0.0;  // vertices a cell
     while (nextCell < cellCount || !waiting.empty()) {
         if (waiting.empty()) {

@@ -249,8 +249,8 @@ std::uint64_t TubeKernels::fieldEvaluations() const {
 std::size_t TubeKernels::bytes() const {
     std::size_t sum = 0;
     const std::initializer_list<const gpu::Buffer*> buffers = {
-        &vertices_, &frames_, &nodes_, &items_, &presences_, &edgeMeasures_, &nodeMeasures_, &reflections_, &parts_, &freeSamples_, &ledger_,
-        &settingsBlock_, &tubeBlock_, &positions_, &shares_, &cells_};
+        &vertices_, &frames_, &nodes_, &items_, &presences_, &edgeMeasures_, &nodeMeasures_, &reflections_, &parts_,
+        &freeSamples_, &ledger_, &settingsBlock_, &tubeBlock_, &positions_, &shares_, &cells_};
     for (const gpu::Buffer* buffer : buffers) {
         sum += buffer->bytes();
     }

@@ -100,8 +100,8 @@ private:
     std::uint32_t capacity_;
     bool followsReflections_;
     TubeSettings tubeSettings_{};
-    gpu::Buffer vertices_, frames_, nodes_, items_, presences_, edgeMeasures_, nodeMeasures_, reflections_, parts_, freeSamples_, ledger_,
-        settingsBlock_, tubeBlock_;
+    gpu::Buffer vertices_, frames_, nodes_, items_, presences_, edgeMeasures_, nodeMeasures_, reflections_, parts_,
+        freeSamples_, ledger_, settingsBlock_, tubeBlock_;
     gpu::RowBuffer positions_, shares_, cells_;
     gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sortCells_, smoothCells_, sortParts_, tally_;
     std::optional<gpu::Kernel> countFreeSamples_;  ///< where there is opaque matter

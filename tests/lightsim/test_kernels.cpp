@@ -64,7 +64,8 @@ std::vector<KernelVariant> variants() {
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3", "FIELD_DETAIL"}});
     }
     for (const char* kernel : {"sort_cells", "smooth_cells", "sort_parts", "deposit_gather"}) {
-        rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3", "EFFECT_OPAQUE", "GATHERS_PER_PART 8"}});
+        rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl",
+                        {"BANDS 3", "EFFECT_OPAQUE", "GATHERS_PER_PART 8"}});
     }
     rows.push_back({"lightsim/tubes/sort_cells.comp.glsl", {"BANDS 3", "EFFECT_OPAQUE"}});
     for (const char* kernel : {"measure_edges", "measure_nodes", "conform", "sort_cells", "smooth_cells", "sort_parts", "tally"}) {  // of no effect
