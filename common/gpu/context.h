@@ -18,7 +18,7 @@ struct DeviceLimits {
 };
 
 struct ContextOptions {
-    bool asHardware = false;  ///< cut work as for a GPU, whatever renders
+    bool asHardware = false;  ///< divide work as for a GPU, whatever renders
     bool forceManualFiltering = false;  ///< behave as on a device whose linear filtering is not exact
     std::filesystem::path shaderFolder;  ///< where shaders are read in place of those in the program; empty: nowhere
 };

@@ -39,13 +39,13 @@ std::size_t freeSampleWords(const std::vector<std::string>& defines, const Latti
 
 } // namespace
 
-TubeKernels::Cut TubeKernels::cutFor(const gpu::DeviceLimits& limits) {
-    return limits.isProcessor ? Cut{1, 4096} : Cut{8, TUBE_MAX_JOBS};
+TubeKernels::Portions TubeKernels::portionsFor(const gpu::DeviceLimits& limits) {
+    return limits.isProcessor ? Portions{1, 4096} : Portions{8, TUBE_MAX_JOBS};
 }
 
 TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
                          std::uint32_t capacity, bool followsReflections)
-    : context_(context), cut_(cutFor(context.limits())), defines_(withGathers(defines, cut_.gathersPerPart)),
+    : context_(context), portions_(portionsFor(context.limits())), defines_(withGathers(defines, portions_.gathersPerPart)),
       capacity_(capacity), followsReflections_(followsReflections),
       vertices_(context, 0, "tube vertices"), frames_(context, sizeof(LaunchFrame), "launch frames"),
       nodes_(context, 0, "tube nodes"), items_(context, 0, "tube items"),
@@ -197,8 +197,8 @@ std::vector<TubePresence> TubeKernels::presences(std::uint32_t count) const {
 }
 
 void TubeKernels::deposit(std::span<const TubeJob> jobs, const Deposits& deposits) {
-    for (std::size_t begin = 0; begin < jobs.size(); begin += cut_.jobs) {
-        depositChunk(jobs.subspan(begin, std::min(cut_.jobs, jobs.size() - begin)), deposits);
+    for (std::size_t begin = 0; begin < jobs.size(); begin += portions_.jobs) {
+        depositChunk(jobs.subspan(begin, std::min(portions_.jobs, jobs.size() - begin)), deposits);
     }
 }
 

@@ -80,13 +80,13 @@ private:
     void depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits);
     const DepositKernels& depositKernels(const VoxelSums& sums);
 
-    /// How deposits are cut into dispatches and invocations: a processor wants one invocation a part and what stays in its
+    /// How deposits are divided into dispatches and invocations: a processor wants one invocation a part and what stays in its
     /// caches, a GPU many of both.
-    struct Cut {
+    struct Portions {
         int gathersPerPart;
         std::size_t jobs;
     };
-    static Cut cutFor(const gpu::DeviceLimits& limits);
+    static Portions portionsFor(const gpu::DeviceLimits& limits);
 
     template <class T>
     void uploadItems(std::span<const T> items) {
@@ -95,7 +95,7 @@ private:
     }
 
     const gpu::Context& context_;
-    Cut cut_;
+    Portions portions_;
     std::vector<std::string> defines_;
     std::uint32_t capacity_;
     bool followsReflections_;

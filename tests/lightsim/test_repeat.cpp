@@ -44,7 +44,7 @@ TEST_P(Repeat, IsIndependentOfTheLargestBlock) {
     expectEqual(bakeWith({.maxBlockBytes = 7 * 24 * 24 * 8}), bakeWith({}));
 }
 
-TEST_P(Repeat, IsIndependentOfHowWorkIsCut) {
+TEST_P(Repeat, IsIndependentOfHowWorkIsDivided) {
     Fields fields = test::absorbingSphereInSmoke(24);
     fields.opaque = DenseGrid<float>(fields.lattice.size, 0.0f);
     test::forEachVoxel(fields.lattice, [&](const glm::ivec3& v) {
