@@ -1,7 +1,6 @@
 #pragma once
 // A batch of cells of the launch grids, followed from the source until their light has left the domain.
 
-#include <functional>
 #include <vector>
 
 #include "lightsim/emit.h"
