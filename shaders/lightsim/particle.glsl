@@ -247,40 +247,54 @@ Particle advanceInside(Particle particle, float dt) {
     return after;
 }
 
-// One step of optical path, whatever the particle is doing; t: optical path at the start of the step.
-Particle advance(Particle particle, float t) {
+// Whether the step from optical path t on leads straight through empty space: no field is looked at.
+bool fliesFree(Particle particle, float t) {
+    bool waits = particle.status == PARTICLE_WAITING || particle.status == PARTICLE_MIRRORED;
+    return waits ? particle.enterPath >= t + settings.opticalStep : particle.status != PARTICLE_INSIDE;
+}
+
+// Such a step.
+Particle fly(Particle particle) {
     Particle after = particle;
-    float dt = settings.opticalStep;
     after.xPrevious = particle.x;
-    after.arcLength = 0.0;
+    after.x = particle.x + particle.w * settings.opticalStep;
+    after.arcLength = settings.opticalStep * length(particle.w);
 #ifdef EFFECT_OPAQUE
     if (particle.status == PARTICLE_BLOCKED) {
         after.litPart = 0.0;
         after.meanShare = vec3(0.0);
     }
 #endif
-    if (particle.status == PARTICLE_WAITING && particle.enterPath < t + dt) {
-        float straight = max(particle.enterPath - t, 0.0);
+    return after;
+}
+
+// Any other: in the first one the particle enters the domain, or leaves its last mirror.
+Particle passFields(Particle particle, float t) {
+    Particle after = particle;
+    float dt = settings.opticalStep;
+    after.xPrevious = particle.x;
+    after.arcLength = 0.0;
+    float straight = clamp(particle.enterPath - t, 0.0, dt);
+    if (particle.status == PARTICLE_WAITING) {
         after = enterDomain(after, particle.x + particle.w * straight);
         after.arcLength = straight;
         dt -= straight;
     }
 #ifdef FOLLOW_REFLECTIONS
     if (particle.status == PARTICLE_MIRRORED) {
-        float straight = clamp(particle.enterPath - t, 0.0, dt);
         after.x = particle.x + particle.w * straight;
         after.arcLength = straight * length(particle.w);
-        if (particle.enterPath >= t + dt) {
-            return after;
-        }
         after = leaveMirror(after);
         dt -= straight;
     }
 #endif
-    if (after.status == PARTICLE_INSIDE) {
-        return advanceInside(after, dt);
+    return advanceInside(after, dt);
+}
+
+// One step of optical path, whatever the particle is doing; t: optical path at the start of the step.
+Particle advance(Particle particle, float t) {
+    if (fliesFree(particle, t)) {
+        return fly(particle);
     }
-    after.x = after.x + after.w * dt;
-    after.arcLength += dt;
-    return after;
+    return passFields(particle, t);
 }

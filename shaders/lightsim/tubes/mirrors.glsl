@@ -141,25 +141,30 @@ Particle launched(uint self, inout uint evaluations) {
     uint crossings = 0u;
     uint stepCount = 0u;
     while (mirrors < tube.mirrorCount && stepCount < settings.maxSteps && ray.status <= PARTICLE_INSIDE) {
+        if (fliesFree(ray, pathAt(stepCount))) {
+            ray = fly(ray);
+            ++stepCount;
+            continue;
+        }
         Particle after = stepped(ray, stepCount, evaluations);
         bool reflects = reflectsBetween(ray, after);
         crossings += reflects ? 1u : 0u;
         if (reflects && crossings == crossingOfMirror(mirrors)) {
             ray = mirrored(start, ray, after, evaluations);
             stepCount = uint(max(ray.enterPath, 0.0) / settings.opticalStep);
-            ray.x -= ray.w * (ray.enterPath - float(stepCount) * settings.opticalStep);
+            ray.x -= ray.w * (ray.enterPath - pathAt(stepCount));
             crossings = 0u;
             ++mirrors;
-            start = Start(ray, float(stepCount) * settings.opticalStep);
+            start = Start(ray, pathAt(stepCount));
             continue;
         }
         if (!isSameCrossing(ray, after)) {
-            start = Start(ray, float(stepCount) * settings.opticalStep);
+            start = Start(ray, pathAt(stepCount));
         }
         ray = after;
         ++stepCount;
     }
-    return atSource(ray, float(stepCount) * settings.opticalStep, mirrors == tube.mirrorCount);
+    return atSource(ray, pathAt(stepCount), mirrors == tube.mirrorCount);
 }
 
 // Enters what a step of ray number `self` lost by reflection.

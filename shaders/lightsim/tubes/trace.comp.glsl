@@ -24,9 +24,14 @@ void countEvaluations(uint evaluations) {
     }
 }
 
+float pathAt(uint stepCount) {
+    return float(stepCount) * settings.opticalStep;
+}
+
+// The step that begins after so many, through fields.
 Particle stepped(Particle ray, uint stepCount, inout uint evaluations) {
-    Particle after = advance(ray, float(stepCount) * settings.opticalStep);
-    if (after.status == PARTICLE_BLOCKED && ray.status != PARTICLE_BLOCKED) {
+    Particle after = passFields(ray, pathAt(stepCount));
+    if (after.status == PARTICLE_BLOCKED) {
         after.blockedAt = float(stepCount) + after.litPart;
     }
     evaluations += after.status == PARTICLE_INSIDE ? 1u : 0u;
@@ -63,22 +68,74 @@ float litArcOf(Particle ray) {
     return ray.litPart > 0.0 ? ray.arcLength * ray.litPart : ray.arcLength;
 }
 
-// Whether a step may not be joined with the one before it to a longer one. A turn by the angle a in each of three steps of a
-// voxel leaves their chord 9/8 a voxels off: less than middles may deviate. In one medium a share that falls by less than a
-// tenth falls as an exponential all along; where the index changes, matter may too.
-bool isBent(Particle before, Particle after) {
-    const float kMostTurn = 0.06;
-    const float kSameShare = 0.1;
-    const float kSameShareInTurn = 0.01;
+// What a step takes of the light that is left, by band, over that of the strongest.
+vec3 lossOf(Particle before, Particle after) {
     vec3 left = shareLeft(before);
-    float mostLoss = after.w == before.w ? kSameShare : kSameShareInTurn;
-    bool changed = largestOf(left - shareLeft(after)) > mostLoss * largestOf(left);
-    return length(after.w - before.w) > kMostTurn * length(before.w) || after.status != before.status || changed;
+    return (left - shareLeft(after)) / max(largestOf(left), 1.0e-30);
+}
+
+// Whether a step may not be joined with the one before it, which lost `lossBefore`, to a longer one. A turn by the angle a in each
+// of three steps of a voxel leaves their chord 9/8 a voxels off: less than middles may deviate. Where matter takes up the same from
+// step to step, a share that falls by less than a tenth falls as an exponential all along.
+bool isBent(Particle before, Particle after, vec3 loss, vec3 lossBefore) {
+    const float kMostTurn = 0.06;
+    const float kMostLoss = 0.1;
+    const float kSameLoss = 0.005;
+    return length(after.w - before.w) > kMostTurn * length(before.w) || after.status != before.status ||
+           largestOf(loss) > kMostLoss || largestOf(abs(loss - lossBefore)) > kSameLoss;
 }
 
 void record(uint place, Particle ray, uint stepCount) {
     positions[place] = vec4(ray.x, litArcOf(ray));
     shares[place] = vec4(shareLeft(ray), stepsSinceMirror(ray, stepCount));
+}
+
+// A ray on its way through the window, and what is noted of it.
+struct Trace {
+    uint self;
+    Particle ray;
+    uint stepCount;
+    TubePresence presence;
+    bool nearBefore;
+    vec3 lossBefore;
+};
+
+// The ray has made a step. Before the window begins nothing is noted but what it loses by reflection.
+void goOn(inout Trace trace, Particle after) {
+    Particle before = trace.ray;
+    countReflection(trace.self, before, after);
+    trace.ray = after;
+    ++trace.stepCount;
+    if (trace.stepCount < tube.firstStep) {
+        return;
+    }
+    int sampleIndex = int(trace.stepCount - tube.firstStep);
+    record(trackOf(trace.self) + uint(sampleIndex), after, trace.stepCount);
+    bool nearNow = isNear(after);
+    vec3 loss = lossOf(before, after);
+    if (sampleIndex > 0) {
+        uvec2 bit = sampleBit(sampleIndex - 1);
+        if (isBent(before, after, loss, sampleIndex == 1 ? loss : trace.lossBefore)) {
+            trace.presence.bent |= bit;
+        }
+        if (trace.nearBefore || nearNow) {
+            trace.presence.near |= bit;
+        }
+    }
+    trace.nearBefore = nearNow;
+    trace.lossBefore = loss;
+}
+
+// Invocations wait for those in the same loop: what flies through empty space looks at nothing meanwhile.
+void follow(inout Trace trace, uint lastStep, inout uint evaluations) {
+    while (trace.stepCount < lastStep) {
+        while (trace.stepCount < lastStep && fliesFree(trace.ray, pathAt(trace.stepCount))) {
+            goOn(trace, fly(trace.ray));
+        }
+        while (trace.stepCount < lastStep && !fliesFree(trace.ray, pathAt(trace.stepCount))) {
+            goOn(trace, stepped(trace.ray, trace.stepCount, evaluations));
+        }
+    }
 }
 
 void main() {
@@ -88,45 +145,31 @@ void main() {
     }
     uint self = listed[index];
     uint track = trackOf(self);
-    uint stepCount = vertices[self].stepCount;
     uint evaluations = 0u;
-    Particle ray = vertices[self].ray;
-    if (stepCount == TUBE_NOT_LAUNCHED) {
-        ray = launched(self, evaluations);
-        for (stepCount = 0u; stepCount < tube.firstStep; ++stepCount) {
-            Particle before = ray;
-            ray = stepped(ray, stepCount, evaluations);
-            countReflection(self, before, ray);
+    Trace trace = Trace(self, vertices[self].ray, vertices[self].stepCount,
+                        TubePresence(uvec2(0u), uvec2(0u), 0u, 0.0, 0u, 0u), false, vec3(0.0));
+    if (trace.stepCount == TUBE_NOT_LAUNCHED) {
+        trace.ray = launched(self, evaluations);
+        trace.stepCount = 0u;
+        if (tube.firstStep == 0u) {
+            record(track, trace.ray, 0u);
         }
-        record(track, ray, stepCount);
     } else {
         // where the front of the window before was made to conform, this one begins
         positions[track] = positionAt(track + uint(TUBE_STEPS));
         shares[track] = shareAt(track + uint(TUBE_STEPS));
     }
-    TubePresence presence = TubePresence(uvec2(0u), uvec2(0u), 0u, 0.0, 0u, 0u);
-    bool nearBefore = isNear(ray);
-    for (int k = 0; k < TUBE_STEPS; ++k) {
-        Particle before = ray;
-        ray = stepped(ray, stepCount, evaluations);
-        countReflection(self, before, ray);
-        ++stepCount;
-        if (isBent(before, ray)) {
-            presence.bent |= sampleBit(k);
-        }
-        record(track + uint(k + 1), ray, stepCount);
-        bool nearNow = isNear(ray);
-        if (nearBefore || nearNow) {
-            presence.near |= sampleBit(k);
-        }
-        nearBefore = nearNow;
-    }
-    presence.ended = ray.status == PARTICLE_BLOCKED || (ray.status >= PARTICLE_EXITED && !nearBefore &&
+    trace.nearBefore = isNear(trace.ray);
+    follow(trace, tube.firstStep + uint(TUBE_STEPS), evaluations);
+    Particle ray = trace.ray;
+    bool isNearNow = trace.nearBefore;
+    TubePresence presence = trace.presence;
+    presence.ended = ray.status == PARTICLE_BLOCKED || (ray.status >= PARTICLE_EXITED && !isNearNow &&
                      dot(ray.w, 0.5 * (domain.min + domain.max) - ray.x) < 0.0) ? 1u : 0u;
-    bool goesOn = ray.status <= PARTICLE_INSIDE || (nearBefore && ray.status != PARTICLE_BLOCKED);
+    bool goesOn = ray.status <= PARTICLE_INSIDE || (isNearNow && ray.status != PARTICLE_BLOCKED);
     presence.remaining = goesOn ? largestOf(shareLeft(ray)) : 0.0;
     presences[self] = presence;
     vertices[self].ray = ray;
-    vertices[self].stepCount = stepCount;
+    vertices[self].stepCount = trace.stepCount;
     countEvaluations(evaluations);
 }
