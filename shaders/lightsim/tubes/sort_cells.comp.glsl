@@ -11,7 +11,7 @@ layout(std430, binding = TUBE_FRAMES_BINDING) readonly buffer FrameBlock { Launc
 layout(std430, binding = TUBE_VERTICES_BINDING) readonly buffer VertexBlock { TubeVertex vertices[]; };
 #include "lightsim/tubes/opaque_front.glsl"
 
-const float kLineShare = 5.0e-3;   // of the power that is not worth another ray
+const float kLineShare = 0.02;   // of the power that is not worth another ray
 
 // Of a sub-cell's four corners before its steps, in the order of TubeCell.
 uint cornerVertex(TubeJob job, uint quarter, uint corner) {
