@@ -1,31 +1,22 @@
 // Sums in 64-bit two's complement fixed point, as two 32-bit words with carry: integer addition commutes, so the same
 // contributions give the same bits in whatever order they arrive.
 
-// The two words (low, high) of a value already scaled to fixed-point units, |value| < 2^31.
+// The two words (low, high) of a value already scaled to fixed-point units, |value| < 2^47: by pieces, for conversions of floats
+// beyond 2^31 to integers are not portable.
 uvec2 fixedPoint(float value) {
-    int rounded = int(floor(value + 0.5));
-    return uvec2(uint(rounded), uint(rounded >> 31));
+    float rounded = floor(value + 0.5);
+    float high = floor(rounded / 65536.0);
+    int highWord = int(high);
+    return uvec2(uint(highWord) << 16 | uint(int(rounded - high * 65536.0)), uint(highWord >> 16));
 }
 
-// The same for 0 <= value < 2^63, by pieces: conversions of floats beyond 2^31 to integers are not portable.
+// The same for 0 <= value < 2^63.
 uvec2 largeFixedPoint(float value) {
     float magnitude = floor(value + 0.5);
     float high = floor(magnitude / 4294967296.0);
     float rest = magnitude - high * 4294967296.0;
     float middle = floor(rest / 65536.0);
     return uvec2((uint(int(middle)) << 16) | uint(int(rest - middle * 65536.0)), uint(int(high)));
-}
-
-// The same for |value| < 2^63.
-uvec2 wideFixedPoint(float value) {
-    if (abs(value) < 2147483000.0) {
-        return fixedPoint(value);
-    }
-    uvec2 words = largeFixedPoint(abs(value));
-    if (value < 0.0) {
-        words = ~words + uvec2(1u, words.x == 0u ? 1u : 0u);
-    }
-    return words;
 }
 
 // Adds the words to the element `index` of a buffer of uvec2.

@@ -36,16 +36,25 @@ void addAt(ivec3 voxel, vec3 powerLength, vec3 flux) {
         return;
     }
     uint index = slabIndex(voxel);
-    ADD_FIXED(fluxX, index, wideFixedPoint(flux.x))
-    ADD_FIXED(fluxY, index, wideFixedPoint(flux.y))
-    ADD_FIXED(fluxZ, index, wideFixedPoint(flux.z))
-    ADD_FIXED(irradiance0, index, wideFixedPoint(powerLength.x))
+    ADD_FIXED(fluxX, index, fixedPoint(flux.x))
+    ADD_FIXED(fluxY, index, fixedPoint(flux.y))
+    ADD_FIXED(fluxZ, index, fixedPoint(flux.z))
+    ADD_FIXED(irradiance0, index, fixedPoint(powerLength.x))
 #if BANDS == 3
-    ADD_FIXED(irradiance1, index, wideFixedPoint(powerLength.y))
-    ADD_FIXED(irradiance2, index, wideFixedPoint(powerLength.z))
+    ADD_FIXED(irradiance1, index, fixedPoint(powerLength.y))
+    ADD_FIXED(irradiance2, index, fixedPoint(powerLength.z))
 #endif
 }
 #endif
+
+// Of the strongest band.
+float brightestOf(vec3 powerLength) {
+#if BANDS == 3
+    return max(powerLength.x, max(powerLength.y, powerLength.z));
+#else
+    return powerLength.x;
+#endif
+}
 
 // The sum over bands, along a direction.
 vec3 fluxOf(vec3 powerLength, vec3 travel) {

@@ -26,7 +26,8 @@ vec3 invertedIn(Trilinear map, vec3 x, vec3 guess) {
         if (volume == 0.0) {
             return vec3(-1.0);
         }
-        vec3 change = vec3(dot(across, rest), dot(cross(d[2], d[0]), rest), dot(cross(d[0], d[1]), rest)) / volume;
+        float perVolume = 1.0 / volume;
+        vec3 change = vec3(dot(across, rest), dot(cross(d[2], d[0]), rest), dot(cross(d[0], d[1]), rest)) * perVolume;
         q += change;
         if (largestOf(abs(change)) < kNewtonEnd) {
             break;
@@ -40,11 +41,13 @@ struct Light {
     vec3 flux;
 };
 
-// A part, and what a linear guess of the place of a point in it takes.
+// A part, and what a linear guess of the place of a sample in it takes. Lengths in spacings of samples, places by their numbers.
 struct Gather {
     Part part;
+    vec3 perCut;         // over cuts along u, v, t
     Trilinear map;
     CornerVolumes volumes;
+    float volumeInCell;  // [voxels^3] of a unit of the map's, were the part the whole cell
     vec3 middle;
     mat3 inverseMiddle;  // of the derivatives there
     vec3 reach;          // how far from the middle of the unit cube the guess for a point of the part can be
@@ -55,7 +58,10 @@ Gather gatherOf(Part part, Trilinear map) {
     const float kRounding = 1.0e-3;
     Gather gather;
     gather.part = part;
+    gather.perCut = 1.0 / vec3(part.cuts);
     gather.volumes = cornerVolumesOf(part.cell);
+    float across = float(samplesAcross());
+    gather.volumeInCell = float(part.cuts.x * part.cuts.y * part.cuts.z) / (across * across * across);
     gather.map = map;
     gather.middle = placeIn(map, vec3(0.5));
     gather.inverseMiddle = inverse(derivativesIn(map, vec3(0.5)));
@@ -66,27 +72,27 @@ Gather gatherOf(Part part, Trilinear map) {
     return gather;
 }
 
-// Light of the part at a point x, a share of that of its voxel.
-Light lightAt(Gather gather, CornerLight corners, vec3 x, float share) {
+// Light of the part at the sample of that number, a share of that of its voxel.
+Light lightAt(Gather gather, CornerLight corners, vec3 number, float share) {
     Light light = Light(vec3(0.0), vec3(0.0));
-    vec3 guess = gather.inverseMiddle * (x - gather.middle);
-    vec3 q = invertedIn(gather.map, x, guess + 0.5);
-    vec3 place = placeInCell(gather.part, q);
+    vec3 guess = gather.inverseMiddle * (number - gather.middle);
+    vec3 q = invertedIn(gather.map, number, guess + 0.5);
+    vec3 place = (vec3(gather.part.index) + q) * gather.perCut;
     if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0))) && isLit(gather.part.cell, place)) {
         mat3 d = derivativesIn(gather.map, q);
-        ivec3 cuts = gather.part.cuts;
-        float own = abs(determinant(d)) * float(cuts.x * cuts.y * cuts.z);
+        float own = abs(determinant(d)) * gather.volumeInCell;
         light.powerLength = powerLengthAt(corners, place) * (share / volumeAt(gather.volumes, place, own));
         light.flux = fluxOf(light.powerLength, unitOf(d[2]));
     }
     return light;
 }
 
-// Of points [voxels], or of samples, numbered along each axis of the domain.
+// Of places [voxels], or of numbers of samples.
 struct Box {
     vec3 first, end;
 };
 
+// About a part, as far as it is in the slab.
 Box boxOf(Trilinear map) {
     Box box = Box(vec3(1.0e30), vec3(-1.0e30));
     for (int i = 0; i < 8; ++i) {
@@ -103,20 +109,49 @@ Box samplesIn(Box box) {
     return Box(ceil(numberOfSample(box.first)), floor(numberOfSample(box.end)) + 1.0);
 }
 
-// Samples of a row along x that may lie in a part: those between the faces of its reach.
+// The map to numbers of samples.
+Trilinear numbered(Trilinear map) {
+    float across = float(samplesAcross());
+    return Trilinear(numberOfSample(map.c000), across * map.c100, across * map.c010, across * map.c001, across * map.c110,
+                     across * map.c101, across * map.c011, across * map.c111);
+}
+
+// Rows of samples along x, one of so many that share a part.
+struct Rows {
+    Box box;
+    float perAcross;  // over samples of the box along y
+    // Where the faces across u, v and t of the guess's reach cut a row: between both in the middle, which is linear in the row's
+    // y and z from those of the part's middle, and as far from it as `reach`.
+    vec2 origin;
+    vec3 middle, middlePerY, middlePerZ;
+    vec3 reach;
+};
+
+Rows rowsOf(Gather gather, Box box) {
+    vec3 along = gather.inverseMiddle[0];
+    vec3 perSample = 1.0 / mix(along, vec3(1.0e-20), lessThan(abs(along), vec3(1.0e-20)));
+    Rows rows;
+    rows.box = box;
+    rows.perAcross = 1.0 / (box.end.y - box.first.y);
+    rows.origin = gather.middle.yz;
+    rows.middle = gather.middle.x * (along * perSample);
+    rows.middlePerY = -gather.inverseMiddle[1] * perSample;
+    rows.middlePerZ = -gather.inverseMiddle[2] * perSample;
+    rows.reach = gather.reach * abs(perSample);
+    return rows;
+}
+
+// Samples of a row that may lie in a part.
 struct Row {
     vec2 number;  // along y and z
     float next, end;
 };
 
-Row rowAt(vec2 number, Gather gather, Box box) {
-    vec3 along = gather.inverseMiddle[0] / float(samplesAcross());
-    vec3 perSample = 1.0 / mix(along, vec3(1.0e-20), lessThan(abs(along), vec3(1.0e-20)));
-    vec3 guess = gather.inverseMiddle * (placeOfSample(vec3(0.0, number)) - gather.middle);
-    vec3 middle = -guess * perSample;
-    vec3 reach = gather.reach * abs(perSample);
-    return Row(number, max(ceil(largestOf(middle - reach)), box.first.x),
-               min(floor(-largestOf(-middle - reach)) + 1.0, box.end.x));
+Row rowAt(vec2 number, Rows rows) {
+    vec2 from = number - rows.origin;
+    vec3 middle = rows.middle + rows.middlePerY * from.x + rows.middlePerZ * from.y;
+    return Row(number, max(ceil(largestOf(middle - rows.reach)), rows.box.first.x),
+               min(floor(-largestOf(-middle - rows.reach)) + 1.0, rows.box.end.x));
 }
 
 // Not of a row without numbers, of a part whose map cannot be inverted.
@@ -125,17 +160,16 @@ bool hasSamplesLeft(Row row) {
 }
 
 // So many rows on, y first.
-vec2 rowsOn(vec2 number, float rows, Box box) {
-    float along = number.x - box.first.y + rows;
-    float across = box.end.y - box.first.y;
-    float layers = floor((along + 0.5) / across);
-    return vec2(box.first.y + along - layers * across, number.y + layers);
+vec2 rowsOn(vec2 number, float count, Rows rows) {
+    float along = number.x - rows.box.first.y + count;
+    float layers = floor((along + 0.5) * rows.perAcross);
+    return vec2(rows.box.first.y + along - layers * (rows.box.end.y - rows.box.first.y), number.y + layers);
 }
 
 // The first from this row on, of those that an invocation takes, that has samples left; beyond the last one z is too large.
-Row withSamples(Row row, Gather gather, Box box) {
-    while (!hasSamplesLeft(row) && row.number.y < box.end.z) {
-        row = rowAt(rowsOn(row.number, float(GATHERS_PER_PART), box), gather, box);
+Row withSamples(Row row, Rows rows) {
+    while (!hasSamplesLeft(row) && row.number.y < rows.box.end.z) {
+        row = rowAt(rowsOn(row.number, float(GATHERS_PER_PART), rows), rows);
     }
     return row;
 }
@@ -149,22 +183,23 @@ void gatherFrom(Box box, Gather gather, CornerLight corners, uint firstRow) {
     Light light = Light(vec3(0.0), vec3(0.0));
     vec3 extent = box.end - box.first;
     int most = int(extent.x * extent.y * extent.z);
-    Row row = withSamples(rowAt(rowsOn(box.first.yz, float(firstRow), box), gather, box), gather, box);
+    Rows rows = rowsOf(gather, box);
+    Row row = withSamples(rowAt(rowsOn(box.first.yz, float(firstRow), rows), rows), rows);
     for (int i = 0; i < most && row.number.y < box.end.z; ++i) {
         vec3 number = vec3(row.next, row.number);
         ivec3 voxel = voxelOf(number);
         if (takesLight(voxel) && hasSamples(voxel)) {
-            Light more = lightAt(gather, corners, placeOfSample(number), sampleShareIn(voxel));
+            Light more = lightAt(gather, corners, number, sampleShareIn(voxel));
             light.powerLength += more.powerLength;
             light.flux += more.flux;
         }
         row.next += 1.0;
         if (!hasSamplesLeft(row) || voxelOf(vec3(row.next, row.number)).x != voxel.x) {
-            if (largestOf(light.powerLength) > 0.0) {
+            if (brightestOf(light.powerLength) > 0.0) {
                 addAt(voxel, light.powerLength, light.flux);
             }
             light = Light(vec3(0.0), vec3(0.0));
-            row = withSamples(row, gather, box);
+            row = withSamples(row, rows);
         }
     }
 }
@@ -186,6 +221,6 @@ void main() {
 #endif
     Box samples = samplesIn(box);
     if (all(lessThan(samples.first, samples.end))) {
-        gatherFrom(samples, gatherOf(part, map), cornerLightOf(part.cell), firstRow);
+        gatherFrom(samples, gatherOf(part, numbered(map)), cornerLightOf(part.cell), firstRow);
     }
 }

@@ -58,7 +58,7 @@ void main() {
     Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
     CornerLight corners = cornerLightOf(part.cell);
     float cut = 1.0 / float(part.cuts.x * part.cuts.y * part.cuts.z);
-    ivec2 counts = linesFor(lengthsOf(map), largestOf(powerLengthAt(corners, placeInCell(part, vec3(0.5)))) * cut,
+    ivec2 counts = linesFor(lengthsOf(map), brightestOf(powerLengthAt(corners, placeInCell(part, vec3(0.5)))) * cut,
                             cellRow(part.cell, kPowerRow).w);
     float portion = cut / float(counts.x * counts.y);
     // voxel after voxel of line after line in one loop, for invocations wait for the one that has most to do

@@ -70,12 +70,14 @@ float sampleShareIn(ivec3 voxel) {
 // beam along an axis lie at simple fractions of a voxel, and what lies on a face may fall to both sides or to neither.
 const vec3 kFirstSample = vec3(0.5031, 0.5047, 0.5039);
 
-// A sample's place [voxels], from its number along each axis of the domain.
+// Samples are numbered along each axis of the domain; a number and a fraction is a place between two.
+
+// A place [voxels], from its number.
 vec3 placeOfSample(vec3 number) {
     return (number + kFirstSample) / float(samplesAcross());
 }
 
-// The number of a sample at a place, in parts of a number between samples.
+// The number of a place [voxels].
 vec3 numberOfSample(vec3 place) {
     return place * float(samplesAcross()) - kFirstSample;
 }
