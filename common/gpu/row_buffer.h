@@ -1,6 +1,6 @@
 #pragma once
-// A buffer that kernels write by rows of four words and read as texels, which takes the software renderer a tenth of the time
-// that it takes to read storage.
+// A buffer that kernels write by rows of words and read as texels, which takes the software renderer a tenth of the time that it
+// takes to read storage.
 
 #include "common/gpu/objects.h"
 
@@ -8,8 +8,8 @@ namespace eikonal::gpu {
 
 class RowBuffer : public Buffer {
 public:
-    /// Throws badInput if there are more rows of 16 bytes than the device has texels for.
-    RowBuffer(const Context& context, std::size_t bytes, std::string_view label);
+    /// Rows of 1, 2 or 4 words of four bytes. Throws badInput if there are more rows than the device has texels for.
+    RowBuffer(const Context& context, std::size_t bytes, std::string_view label, int wordsPerRow = 4);
     RowBuffer(RowBuffer&& other) noexcept;
     RowBuffer& operator=(RowBuffer&& other) noexcept;
     ~RowBuffer();
@@ -20,6 +20,7 @@ public:
     void bindTexels(GLuint unit) const;
 
 private:
+    int wordsPerRow_;
     GLuint texels_ = 0;
 };
 

@@ -19,13 +19,19 @@ constexpr std::size_t kCellsPerJob = 4;
 constexpr std::uint32_t kFirstVertices = 4096;
 constexpr std::size_t kFirstJobs = 1024;
 
-bool hasOpaque(const std::vector<std::string>& defines) {
-    return std::find(defines.begin(), defines.end(), "EFFECT_OPAQUE") != defines.end();
-}
 
 std::vector<std::string> withGathers(std::vector<std::string> defines, int gathersPerPart) {
     defines.push_back("GATHERS_PER_PART " + std::to_string(gathersPerPart));
     return defines;
+}
+
+bool has(const std::vector<std::string>& defines, std::string_view define) {
+    return std::find(defines.begin(), defines.end(), define) != defines.end();
+}
+
+/// See tracks.glsl.
+int wordsPerShare(const std::vector<std::string>& defines, bool followsReflections) {
+    return has(defines, "BANDS 3") ? 4 : followsReflections ? 2 : 1;
 }
 
 std::size_t partBytes(std::size_t jobs) {
@@ -34,7 +40,7 @@ std::size_t partBytes(std::size_t jobs) {
 
 /// A byte a voxel.
 std::size_t freeSampleWords(const std::vector<std::string>& defines, const Lattice& lattice) {
-    return hasOpaque(defines) ? (lattice.count() + 3) / 4 : 0;
+    return has(defines, "EFFECT_OPAQUE") ? (lattice.count() + 3) / 4 : 0;
 }
 
 } // namespace
@@ -56,7 +62,8 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       ledger_(context, LEDGER_ROWS * 3 * 2 * sizeof(std::uint32_t), "bake ledger"),
       settingsBlock_(context, sizeof(BakeSettings), "bake settings"),
       tubeBlock_(context, sizeof(TubeSettings), "tube settings"),
-      positions_(context, 0, "tube positions"), shares_(context, 0, "tube shares"), cells_(context, 0, "tube cells"),
+      positions_(context, 0, "tube positions"), shares_(context, 0, "tube shares", wordsPerShare(defines, followsReflections)),
+      cells_(context, 0, "tube cells"),
       trace_(context, "lightsim/tubes/trace.comp.glsl", defines_),
       measureEdges_(context, "lightsim/tubes/measure_edges.comp.glsl", defines_),
       measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines_),
@@ -65,7 +72,7 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       smoothCells_(context, "lightsim/tubes/smooth_cells.comp.glsl", defines_),
       sortParts_(context, "lightsim/tubes/sort_parts.comp.glsl", defines_),
       tally_(context, "lightsim/tubes/tally.comp.glsl", defines_), intoSums_(context, defines_) {
-    if (hasOpaque(defines)) {
+    if (has(defines, "EFFECT_OPAQUE")) {
         countFreeSamples_.emplace(context, "lightsim/tubes/free_samples.comp.glsl", defines_);
     }
 }
@@ -74,7 +81,7 @@ TubeKernels::DepositKernels::DepositKernels(const gpu::Context& context, const s
     : gather(context, "lightsim/tubes/deposit_gather.comp.glsl", defines),
       lines(context, "lightsim/tubes/deposit_lines.comp.glsl", defines),
       rays(context, "lightsim/tubes/deposit_rays.comp.glsl", defines) {
-    if (hasOpaque(defines)) {
+    if (has(defines, "EFFECT_OPAQUE")) {
         std::vector<std::string> inCut = defines;
         inCut.emplace_back("CUT_VOXELS");
         gatherInCut.emplace(context, "lightsim/tubes/deposit_gather.comp.glsl", inCut);
@@ -149,7 +156,7 @@ void TubeKernels::makeRoomFor(std::size_t vertexCount) {
     nodeMeasures_.grow(room * sizeof(TubeMeasure));
     reflections_.grow(followsReflections_ ? room * sizeof(TubeReflections) : 0);
     positions_.grow(room * TUBE_SAMPLES * sizeof(glm::vec4));
-    shares_.grow(room * TUBE_SAMPLES * sizeof(glm::vec4));
+    shares_.grow(room * TUBE_SAMPLES * std::size_t(wordsPerShare(defines_, followsReflections_)) * sizeof(float));
 }
 
 void TubeKernels::place(std::uint32_t first, std::span<const TubeVertex> vertices) {
@@ -204,7 +211,7 @@ void TubeKernels::deposit(std::span<const TubeJob> jobs, const Deposits& deposit
 
 void TubeKernels::depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits) {
     const std::size_t room = std::bit_ceil(std::max(jobs.size(), kFirstJobs));
-    cells_.grow(room * kCellsPerJob * sizeof(TubeCell));
+    cells_.grow(room * kCellsPerJob * TUBE_MOST_CELL_ROWS * sizeof(glm::vec4));
     parts_.grow(partBytes(room));
     uploadItems(jobs);
     bindTracks();

@@ -109,17 +109,8 @@ struct TubeJob {
 // In place of the root of a volume: the cell's own map tells it better.
 #define TUBE_OWN_VOLUME -1.0
 
-// A sub-cell over some steps: what the wavefront patch sweeps. Corners 0 to 3 before, 4 to 7 after them, in the order
-// (u0, v0), (u1, v0), (u0, v1), (u1, v1).
-struct TubeCell {
-    vec4 corners[8];  // position from the domain's lower corner [voxels]; w of the later four: arc length between [voxels];
-                      // of the first two: optical path from the light before and after the steps [scene units]
-    vec4 shares[8];   // share of the launched power that is left at the corners, by band
-    vec4 volumes[2];  // at the corners: root of the volume per u, v and t over the relative power there [voxels^(3/2)]
-    vec3 power;       // launched into the sub-cell, by band
-    float linePower;  // power x length that need not be split into more lines [x voxels]
-    vec4 litParts;    // of the steps at the corners: what lies in front of opaque matter
-};
+// A sub-cell over some steps, what the wavefront patch sweeps, takes at most so many rows of four words (cell_rows.glsl).
+#define TUBE_MOST_CELL_ROWS 22
 
 // Lists of the parts of cells that are deposited alike; they follow in the block, the first entries of all before the second.
 #define TUBE_GATHER_LIST 0
@@ -176,10 +167,7 @@ static_assert(sizeof(TubeVertex) == 208 && sizeof(TubePresence) == 32 && sizeof(
 static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRROR_BITS);
 static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);
-static_assert(offsetof(TubeCell, shares) == 8 * 16 && offsetof(TubeCell, volumes) == 16 * 16);  // rows of cell_rows.glsl
-static_assert(offsetof(TubeCell, power) == 18 * 16 && offsetof(TubeCell, linePower) == 18 * 16 + 12);
-static_assert(offsetof(TubeCell, litParts) == 19 * 16 && sizeof(TubeCell) == 20 * 16);
 static_assert(sizeof(TubeMeasure) == 32 && sizeof(TubeConformity) == 32 && sizeof(TubeJob) == 8);
-static_assert(sizeof(TubeCell) == 320 && sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 112 && sizeof(TubeSettings) == 48);
+static_assert(sizeof(TubePartList) == 16 && sizeof(TubePartsHeader) == 112 && sizeof(TubeSettings) == 48);
 } // namespace eikonal::bake
 #endif

@@ -197,8 +197,6 @@ TEST(BlockLayout, OfTubesIsTheCompilers) {
               test::prefixed("measures[0].", tubeMeasureMembers()));
     EXPECT_EQ(test::storageBlockLayout(kernelOf("lightsim/tubes/conform.comp.glsl"), "ItemBlock").members,
               test::prefixed("conformities[0].", tubeConformityMembers()));
-    const auto cells = test::storageBlockLayout(kernelOf("lightsim/tubes/sort_cells.comp.glsl"), "RecordBlock");
-    EXPECT_EQ(cells.stride, sizeof(bake::TubeCell));
     const gpu::Kernel gather = kernelOf("lightsim/tubes/deposit_gather.comp.glsl");
     const auto parts = test::storageBlockLayout(gather, "PartBlock");
     EXPECT_EQ(parts.members.at("parts[0]"), sizeof(bake::TubePartsHeader));

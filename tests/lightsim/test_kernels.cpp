@@ -44,10 +44,14 @@ std::vector<KernelVariant> variants() {
             rows.push_back(test::variant("lightsim/tubes/eikonal.comp.glsl", subset, {"BANDS 3", list}));
         }
     }
-    for (const char* kernel : {"measure_edges", "measure_nodes", "deposit_gather", "deposit_lines", "deposit_rays", "tally"}) {
-        rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3", "FOLLOW_REFLECTIONS"}});
-    }
     for (const char* bands : {"BANDS 1", "BANDS 3"}) {
+        for (const char* kernel : {"trace", "measure_edges", "measure_nodes", "conform", "sort_cells", "smooth_cells", "sort_parts",
+                                   "deposit_gather", "deposit_lines", "deposit_rays", "tally"}) {
+            for (const auto& subset : test::tellingSubsets({"FOLLOW_REFLECTIONS", "EFFECT_OPAQUE"})) {
+                rows.push_back(test::variant("lightsim/tubes/" + std::string(kernel) + ".comp.glsl", subset,
+                                             {bands, "EFFECT_REFRACTION", "EFFECT_REFLECTION"}));
+            }
+        }
         for (const char* kernel : {"deposit_gather", "deposit_lines", "deposit_rays"}) {
             for (const auto& subset : test::tellingSubsets({"EFFECT_ABSORPTION", "EFFECT_OPAQUE", "LIGHT_LOBES"})) {
                 rows.push_back(test::variant("lightsim/tubes/" + std::string(kernel) + ".comp.glsl", subset, {bands}));
@@ -66,10 +70,6 @@ std::vector<KernelVariant> variants() {
     for (const char* kernel : {"sort_cells", "smooth_cells", "sort_parts", "deposit_gather"}) {
         rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl",
                         {"BANDS 3", "EFFECT_OPAQUE", "GATHERS_PER_PART 8"}});
-    }
-    rows.push_back({"lightsim/tubes/sort_cells.comp.glsl", {"BANDS 3", "EFFECT_OPAQUE"}});
-    for (const char* kernel : {"measure_edges", "measure_nodes", "conform", "sort_cells", "smooth_cells", "sort_parts", "tally"}) {  // of no effect
-        rows.push_back({"lightsim/tubes/" + std::string(kernel) + ".comp.glsl", {"BANDS 3"}});
     }
     for (const char* kernel : {"emit", "propagate", "split", "deposit", "tubes/trace"}) {
         rows.push_back({"lightsim/" + std::string(kernel) + ".comp.glsl",

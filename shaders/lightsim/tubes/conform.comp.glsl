@@ -19,7 +19,7 @@ void main() {
     for (int k = 0; k < TUBE_SAMPLES; ++k) {
         if (!hasSample(conformity.live, k)) {
             positions[track + uint(k)] = 0.5 * (positionAt(first + uint(k)) + positionAt(second + uint(k)));
-            shares[track + uint(k)] = 0.5 * (shareAt(first + uint(k)) + shareAt(second + uint(k)));
+            recordShare(track + uint(k), 0.5 * (shareAt(first + uint(k)) + shareAt(second + uint(k))));
         }
     }
 }

@@ -10,9 +10,19 @@ struct CornerLight {
 CornerLight cornerLightOf(uint cell) {
     CornerLight light;
     vec3 scaled = cellRow(cell, kPowerRow).rgb * settings.depositScale;
+#if BANDS == 3
     for (int i = 0; i < 8; ++i) {
-        light.powerLength[i] = scaled * shareOf(cell, i).rgb * cornerOf(cell, i % 4 + 4).w;
+        light.powerLength[i] = scaled * cellRow(cell, kFirstShareRow + i).rgb * cornerOf(cell, i % 4 + 4).w;
     }
+#else
+    vec4 before = cellRow(cell, kFirstShareRow);
+    vec4 after = cellRow(cell, kFirstShareRow + 1);
+    for (int i = 0; i < 4; ++i) {
+        vec3 powerLength = scaled * cornerOf(cell, i + 4).w;
+        light.powerLength[i] = powerLength * before[i];
+        light.powerLength[i + 4] = powerLength * after[i];
+    }
+#endif
     return light;
 }
 

@@ -15,7 +15,9 @@ void main() {
     Part part = unpackedPart(listedPart(TUBE_EVEN_LIST, gl_GlobalInvocationID.x));
     TubeJob job = jobs[part.cell / 4u];
     TubeNode node = nodes[job.node];
-    cells[part.cell].volumes = volumesOf(node, mapOf(part.cell), part.cell % 4u,
-                                         frontOf(node, firstStepOf(job)), frontOf(node, lastStepOf(job)));
+    vec4 volumes[2] = volumesOf(node, mapOf(part.cell), part.cell % 4u, frontOf(node, firstStepOf(job)),
+                                frontOf(node, lastStepOf(job)));
+    cellRows[cellRowIndex(part.cell, kFirstVolumeRow)] = volumes[0];
+    cellRows[cellRowIndex(part.cell, kFirstVolumeRow + 1)] = volumes[1];
     listParts(TUBE_GATHER_LIST, part.cell, findMSB(part.cuts));
 }

@@ -8,7 +8,7 @@
 #include "lightsim/tubes/cell_rows.glsl"
 
 layout(std430, binding = TUBE_ITEMS_BINDING) readonly buffer ItemBlock { TubeJob jobs[]; };
-layout(std430, binding = TUBE_SORT_RECORDS_BINDING) writeonly buffer RecordBlock { TubeCell cells[]; };
+layout(std430, binding = TUBE_SORT_RECORDS_BINDING) writeonly buffer RecordBlock { vec4 cellRows[]; };
 #define PARTS_BINDING TUBE_SORT_PARTS_BINDING
 #include "lightsim/tubes/part_lists.glsl"
 

@@ -13,15 +13,24 @@ layout(std430, binding = TUBE_VERTICES_BINDING) readonly buffer VertexBlock { Tu
 
 const float kLineShare = 0.02;   // of the power that is not worth another ray
 
-// Of a sub-cell's four corners before its steps, in the order of TubeCell.
+// A cell while it is made: see cell_rows.glsl.
+struct Cell {
+    vec4 corners[8];
+    vec4 shares[8];
+    vec3 power;
+    float linePower;
+    vec4 litParts;
+};
+
+// Of a sub-cell's four corners before its steps, in the order of a cell's.
 uint cornerVertex(TubeJob job, uint quarter, uint corner) {
     uint low = quarter % 2u + 3u * (quarter / 2u);
     return nodes[job.node].vertices[low + corner % 2u + 3u * (corner / 2u)];
 }
 
-TubeCell cellOf(TubeJob job, uint quarter) {
+Cell cellOf(TubeJob job, uint quarter) {
     uint frameIndex = nodes[job.node].frameIndex;
-    TubeCell cell;
+    Cell cell;
     uint first = firstStepOf(job);
     uint last = lastStepOf(job);
     for (uint i = 0u; i < 4u; ++i) {
@@ -38,16 +47,45 @@ TubeCell cellOf(TubeJob job, uint quarter) {
     float pathBefore = frames[frameIndex].pathBefore + float(tube.firstStep) * settings.opticalStep;
     cell.corners[0].w = pathBefore + float(first) * settings.opticalStep;
     cell.corners[1].w = pathBefore + float(last) * settings.opticalStep;
-    cell.volumes[0] = cell.volumes[1] = vec4(TUBE_OWN_VOLUME);
+    cell.litParts = vec4(1.0);
     cell.power = frames[frameIndex].strength * nodes[job.node].launchShare[quarter];
     cell.linePower = kLineShare * frames[frameIndex].splitPower;
     return cell;
 }
 
+// Volumes are its own until others are found.
+void store(uint self, Cell cell) {
+    int rows = cellRowIndex(self, 0);
+    for (int i = 0; i < 8; ++i) {
+        cellRows[rows + kFirstCornerRow + i] = cell.corners[i];
+    }
+#if BANDS == 3
+    for (int i = 0; i < 8; ++i) {
+        cellRows[rows + kFirstShareRow + i] = cell.shares[i];
+    }
+#else
+    for (int i = 0; i < 2; ++i) {
+        cellRows[rows + kFirstShareRow + i] =
+            vec4(cell.shares[4 * i].r, cell.shares[4 * i + 1].r, cell.shares[4 * i + 2].r, cell.shares[4 * i + 3].r);
+    }
+#endif
+#ifdef FOLLOW_REFLECTIONS
+    for (int i = 0; i < 2; ++i) {
+        cellRows[rows + kFirstMirrorRow + i] =
+            vec4(cell.shares[4 * i].a, cell.shares[4 * i + 1].a, cell.shares[4 * i + 2].a, cell.shares[4 * i + 3].a);
+    }
+#endif
+    cellRows[rows + kFirstVolumeRow] = vec4(TUBE_OWN_VOLUME);
+    cellRows[rows + kPowerRow] = vec4(cell.power, cell.linePower);
+#ifdef EFFECT_OPAQUE
+    cellRows[rows + kLitPartsRow] = cell.litParts;
+#endif
+}
+
 #ifdef EFFECT_OPAQUE
 // Arc lengths end at opaque matter; the cell goes on, and notes where its light ends. Corners without light go by the others.
 // A step that meets matter ends with the share that is left there; none is left behind it, from the beginning of the next.
-void cutAtMatter(inout TubeCell cell) {
+void cutAtMatter(inout Cell cell) {
     const float kWhole = 0.999;  // of the chord: arcs of other steps are no shorter
     float sum = 0.0;
     float count = 0.0;
@@ -86,7 +124,7 @@ bool isOneSurface(vec4 ends) {
 
 // The same of a cell that such a surface crosses: the surface is bilinear, and a corner that it has passed already has the light
 // that the others have.
-void cutAtSurface(inout TubeCell cell, vec4 ends, float first, float last) {
+void cutAtSurface(inout Cell cell, vec4 ends, float first, float last) {
     vec4 before = vec4(0.0);
     vec4 after = vec4(0.0);
     for (int i = 0; i < 4; ++i) {
@@ -108,7 +146,7 @@ void cutAtSurface(inout TubeCell cell, vec4 ends, float first, float last) {
 }
 #endif
 
-bool meetsDomain(TubeCell cell) {
+bool meetsDomain(Cell cell) {
     vec3 low = cell.corners[0].xyz;
     vec3 high = low;
     for (int i = 1; i < 8; ++i) {
@@ -118,7 +156,7 @@ bool meetsDomain(TubeCell cell) {
     return all(lessThan(low, vec3(domain.size))) && all(greaterThan(high, vec3(0.0)));
 }
 
-bool hasLight(TubeCell cell) {
+bool hasLight(Cell cell) {
     float brightest = 0.0;
     for (int i = 0; i < 8; ++i) {
         brightest = max(brightest, largestOf(cell.shares[i].rgb));
@@ -127,7 +165,7 @@ bool hasLight(TubeCell cell) {
 }
 
 // Longest edges of a cell along u, v, t [voxels].
-vec3 extentsOf(TubeCell cell) {
+vec3 extentsOf(Cell cell) {
     vec3 extents = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         extents.x = max(extents.x, distance(cell.corners[2 * i].xyz, cell.corners[2 * i + 1].xyz));
@@ -139,7 +177,7 @@ vec3 extentsOf(TubeCell cell) {
 
 // Whether the corners of a cell are in different matter that takes up light at different rates, or turns it back: where light goes
 // at another speed, it may.
-bool isMixed(TubeCell cell) {
+bool isMixed(Cell cell) {
 #if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING) || defined(FOLLOW_REFLECTIONS)
     const float kSameLength = 0.9;  // ratio of arc lengths in one medium, whose index varies by less than that
     float shortest = 1.0e30;
@@ -167,7 +205,7 @@ bool isMixed(TubeCell cell) {
 // one medium share the power. Those of an unresolved node in such matter, with more than a voxel between them, leave it all to
 // the node's centre: it is always a ray of its own, while corners may be made to conform to others, and then are where
 // no light goes.
-bool listRays(TubeCell cell, uint self, bool weak, vec3 extents) {
+bool listRays(Cell cell, uint self, bool weak, vec3 extents) {
     const float kLongestCell = 12.0;   // [voxels]
     const float kLongestMixed = 1.5;   // [voxels]
     float across = max(extents.x, extents.y);
@@ -191,7 +229,7 @@ void main() {
         return;
     }
     TubeJob job = jobs[self / 4u];
-    TubeCell cell = cellOf(job, self % 4u);
+    Cell cell = cellOf(job, self % 4u);
 #ifdef EFFECT_OPAQUE
     vec4 ends = endsOf(job, self % 4u);
     if (isOneSurface(ends)) {
@@ -203,7 +241,7 @@ void main() {
     if (!hasLight(cell) || !meetsDomain(cell)) {
         return;
     }
-    cells[self] = cell;
+    store(self, cell);
     vec3 extents = extentsOf(cell);
     if (listRays(cell, self, isWeak(job), extents)) {
         return;

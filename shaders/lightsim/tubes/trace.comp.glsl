@@ -87,7 +87,7 @@ bool isBent(Particle before, Particle after, vec3 loss, vec3 lossBefore) {
 
 void record(uint place, Particle ray, uint stepCount) {
     positions[place] = vec4(ray.x, litArcOf(ray));
-    shares[place] = vec4(shareLeft(ray), stepsSinceMirror(ray, stepCount));
+    recordShare(place, vec4(shareLeft(ray), stepsSinceMirror(ray, stepCount)));
 }
 
 // A ray on its way through the window, and what is noted of it.
@@ -157,7 +157,7 @@ void main() {
     } else {
         // where the front of the window before was made to conform, this one begins
         positions[track] = positionAt(track + uint(TUBE_STEPS));
-        shares[track] = shareAt(track + uint(TUBE_STEPS));
+        recordShare(track, shareAt(track + uint(TUBE_STEPS)));
     }
     trace.nearBefore = isNear(trace.ray);
     follow(trace, tube.firstStep + uint(TUBE_STEPS), evaluations);

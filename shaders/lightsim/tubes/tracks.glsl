@@ -6,8 +6,16 @@ layout(std430, binding = TUBE_POSITIONS_BINDING) writeonly buffer PositionBlock 
     vec4 positions[];  // world position; w: arc length of the step that ends there [scene units]
 };
 
+// Share of the launched power that is left there, by band, and where rays are followed from mirrors on, the steps since the last.
+#if BANDS == 3
+#define SHARE_ROW vec4
+#elif defined(FOLLOW_REFLECTIONS)
+#define SHARE_ROW vec2
+#else
+#define SHARE_ROW float
+#endif
 layout(std430, binding = TUBE_SHARES_BINDING) writeonly buffer ShareBlock {
-    vec4 shares[];  // share of the launched power that is left there, by band
+    SHARE_ROW shares[];
 };
 
 layout(binding = kUnitTubePositions) uniform usamplerBuffer positionTexels;
@@ -17,8 +25,26 @@ vec4 positionAt(uint place) {
     return uintBitsToFloat(texelFetch(positionTexels, int(place)));
 }
 
+// By band in rgb, the steps since the last mirror in alpha: negative before it.
 vec4 shareAt(uint place) {
-    return uintBitsToFloat(texelFetch(shareTexels, int(place)));
+    vec4 row = uintBitsToFloat(texelFetch(shareTexels, int(place)));
+#if BANDS == 3
+    return row;
+#elif defined(FOLLOW_REFLECTIONS)
+    return vec4(row.rrr, row.g);
+#else
+    return vec4(row.rrr, 0.0);
+#endif
+}
+
+void recordShare(uint place, vec4 share) {
+#if BANDS == 3
+    shares[place] = share;
+#elif defined(FOLLOW_REFLECTIONS)
+    shares[place] = share.ra;
+#else
+    shares[place] = share.r;
+#endif
 }
 
 uint trackOf(uint vertex) {
