@@ -135,8 +135,11 @@ BakeResult LightSimulator::bake(const LightSet& lights) {
 
 BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& sceneLights, const BakeOptions& options) {
     const auto start = Clock::now();
-    const double powerUnit = bake::powerUnitOf(sceneLights);
+    const bool isGreyMatter = bake::isGreyMatter(fields, effects_, accuracy_);
+    const glm::dvec3 powerUnit =
+        isGreyMatter ? bake::colouredUnitOf(sceneLights) : glm::dvec3(bake::powerUnitOf(sceneLights));
     const LightSet lights = bake::inPowerUnits(sceneLights, powerUnit);
+    const int bands = isGreyMatter && bake::isGreyLight(lights) ? 1 : 3;
     BakeResult result{darkness(fields.lattice, options.eikonal), {}, {}};
     result.statistics.device = context_.rendererName();
     result.statistics.interpolation = interpolation_;
@@ -145,7 +148,7 @@ BakeResult LightSimulator::bakeIn(const Fields& fields, const LightSet& sceneLig
     result.statistics.energy.emitted = grids.emitted;
     if (grids.strongestPower > 0.0) {
         const bake::BakeSettings settings = bake::settingsOf(criteria, grids, fields, options);
-        Device& device = deviceFor(bake::bandsOf(lights, fields, effects_, accuracy_), fields, grids, settings);
+        Device& device = deviceFor(bands, fields, grids, settings);
         result.statistics.seconds.upload = secondsSince(start);
         device.bakeSlabs(fields, options, result);
         device.bakeLobes(context_, *lobeCriterion_,

@@ -132,7 +132,7 @@ std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene
     const LightSet lights = lightsAt(lightsOf(scene, effects), 0.0);
     const double powerUnit = bake::powerUnitOf(lights);
     const bake::LaunchGrids grids =
-        bake::launchGrids(bake::inPowerUnits(lights, powerUnit), fields.lattice, criteria);
+        bake::launchGrids(bake::inPowerUnits(lights, glm::dvec3(powerUnit)), fields.lattice, criteria);
     if (!(grids.strongestPower > 0.0)) {
         return {};
     }

@@ -1,5 +1,6 @@
 #pragma once
-// The unit that a bake measures power in: kernels work in single precision, whatever power the lights of a scene have.
+// The unit that a bake measures power in: kernels work in single precision, whatever power the lights of a scene have. In grey
+// matter it can have the colour of the lights, so that one band of grey light stands for all.
 
 #include "lightsim/bake.h"
 #include "lightsim/light_set.h"
@@ -27,13 +28,16 @@ void forEachStrength(LightSet& lights, const Visit& visit) {
 /// 1 without light.
 double powerUnitOf(const LightSet& lights);
 
+/// The same by band: where all lights have one colour, what makes them grey, and in the brightest band as before.
+glm::dvec3 colouredUnitOf(const LightSet& lights);
+
 /// The lights with powers and irradiances in such units.
-LightSet inPowerUnits(LightSet lights, double unit);
+LightSet inPowerUnits(LightSet lights, const glm::dvec3& unit);
 
 /// A bake that was made in such units, in the scene's own.
-void leavePowerUnits(BakeResult& result, double unit);
+void leavePowerUnits(BakeResult& result, const glm::dvec3& unit);
 
-/// The ledger of so many times the light (lightsim/statistics.cpp).
-EnergyLedger operator*(EnergyLedger ledger, double factor);
+/// The ledger of so many times the light, by band (lightsim/statistics.cpp).
+EnergyLedger operator*(EnergyLedger ledger, const glm::dvec3& factor);
 
 } // namespace eikonal::bake

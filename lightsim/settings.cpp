@@ -144,17 +144,17 @@ TubeSettings tubeSettingsOf(const Accuracy& accuracy, const Fields& fields) {
     return settings;
 }
 
-int bandsOf(const LightSet& lights, const Fields& fields, const EffectSet& effects, const Accuracy& accuracy) {
+bool isGreyMatter(const Fields& fields, const EffectSet& effects, const Accuracy& accuracy) {
     const bool tints = effects.has(Effect::kTint) && accuracy.reflections > 0;
-    const bool greyMatter = (!effects.has(Effect::kAbsorption) || isGrey(fields.sigmaA)) &&
-                            (!effects.has(Effect::kScattering) || isGrey(fields.sigmaS)) &&
-                            (!tints || isGrey(fields.reflectionTint));
-    const bool greyLight =
-        std::all_of(lights.lights.begin(), lights.lights.end(),
-                    [](const Light& light) { return std::visit([](const auto& one) { return isGrey(one); }, light); }) &&
-        std::all_of(lights.environment.begin(), lights.environment.end(),
-                    [](const DirectionalLight& beam) { return isGrey(beam); });
-    return greyMatter && greyLight ? 1 : 3;
+    return (!effects.has(Effect::kAbsorption) || isGrey(fields.sigmaA)) &&
+           (!effects.has(Effect::kScattering) || isGrey(fields.sigmaS)) && (!tints || isGrey(fields.reflectionTint));
+}
+
+bool isGreyLight(const LightSet& lights) {
+    return std::all_of(lights.lights.begin(), lights.lights.end(),
+                       [](const Light& light) { return std::visit([](const auto& one) { return isGrey(one); }, light); }) &&
+           std::all_of(lights.environment.begin(), lights.environment.end(),
+                       [](const DirectionalLight& beam) { return isGrey(beam); });
 }
 
 } // namespace eikonal::bake

@@ -36,7 +36,9 @@ BakeSettings settingsOf(const Criteria& criteria, const LaunchGrids& grids, cons
 /// What the tolerance means for ray tubes.
 TubeSettings tubeSettingsOf(const Accuracy& accuracy, const Fields& fields);
 
-/// 1 when every light is of one colour and every optical constant that changes light on its way is grey, else 3.
-int bandsOf(const LightSet& lights, const Fields& fields, const EffectSet& effects, const Accuracy& accuracy);
+/// Whether every optical constant that changes light on its way is grey.
+bool isGreyMatter(const Fields& fields, const EffectSet& effects, const Accuracy& accuracy);
+
+bool isGreyLight(const LightSet& lights);
 
 } // namespace eikonal::bake

@@ -63,7 +63,7 @@ void BakeStatistics::addRun(const BakeStatistics& run) {
 
 namespace bake {
 
-EnergyLedger operator*(EnergyLedger ledger, double factor) {
+EnergyLedger operator*(EnergyLedger ledger, const glm::dvec3& factor) {
     for (const auto row : kLedgerRows) {
         ledger.*row *= factor;
     }
