@@ -222,29 +222,56 @@ Particle meetMatter(Particle particle, vec3 start, vec3 middle, Ray end, float f
 }
 #endif
 
-// Drift-kick-drift inside the domain over the optical path dt; one field evaluation.
-Particle advanceInside(Particle particle, float dt) {
-    Ray before;
-    before.x = particle.x;
-    before.w = particle.w;
-    Ray middle = driftByOpticalPath(before, 0.5 * dt);
-    Optics optics = sampleOptics(middle.x);
-    Ray kicked = kickByOpticalPath(middle, optics.n, optics.gradN, dt);
-    Ray end = driftByOpticalPath(kicked, 0.5 * dt);
-    vec3 w = 0.5 * (before.w + end.w);
+// Drift-kick-drift over some optical path; one field evaluation.
+struct InnerStep {
+    Ray before, end;
+    vec3 middle;
+    vec3 w;         // mean of both ends'
+    Optics optics;  // in the middle
+};
+
+InnerStep stepInside(Particle particle, float dt) {
+    InnerStep inner;
+    inner.before.x = particle.x;
+    inner.before.w = particle.w;
+    Ray middle = driftByOpticalPath(inner.before, 0.5 * dt);
+    inner.middle = middle.x;
+    inner.optics = sampleOptics(middle.x);
+    inner.end = driftByOpticalPath(kickByOpticalPath(middle, inner.optics.n, inner.optics.gradN, dt), 0.5 * dt);
+    inner.w = 0.5 * (inner.before.w + inner.end.w);
+    return inner;
+}
+
+// Whether the step ends inside the domain, in front of opaque matter.
+bool isPlain(InnerStep inner) {
 #ifdef EFFECT_OPAQUE
-    float freeShare = freeShareOf(before.x, middle.x, end.x);
-    if (freeShare < 1.0) {
-        return meetMatter(particle, before.x, middle.x, end, freeShare, w, optics);
+    if (isSolid(inner.middle) || isSolid(inner.end.x)) {
+        return false;
     }
 #endif
-    if (!insideDomain(end.x)) {
-        return leaveDomain(particle, before, end);
-    }
-    Particle after = passStep(particle, before.x, middle.x, end.x, w, optics);
-    after.x = end.x;
-    after.w = end.w;
+    return insideDomain(inner.end.x);
+}
+
+Particle passPlain(Particle particle, InnerStep inner) {
+    Particle after = passStep(particle, inner.before.x, inner.middle, inner.end.x, inner.w, inner.optics);
+    after.x = inner.end.x;
+    after.w = inner.end.w;
     return after;
+}
+
+// A step inside the domain, whatever comes in its way.
+Particle advanceInside(Particle particle, float dt) {
+    InnerStep inner = stepInside(particle, dt);
+#ifdef EFFECT_OPAQUE
+    float freeShare = freeShareOf(inner.before.x, inner.middle, inner.end.x);
+    if (freeShare < 1.0) {
+        return meetMatter(particle, inner.before.x, inner.middle, inner.end, freeShare, inner.w, inner.optics);
+    }
+#endif
+    if (!insideDomain(inner.end.x)) {
+        return leaveDomain(particle, inner.before, inner.end);
+    }
+    return passPlain(particle, inner);
 }
 
 // Whether the step from optical path t on leads straight through empty space: no field is looked at.
@@ -268,27 +295,32 @@ Particle fly(Particle particle) {
     return after;
 }
 
+Particle atStepStart(Particle particle) {
+    Particle start = particle;
+    start.xPrevious = particle.x;
+    start.arcLength = 0.0;
+    return start;
+}
+
 // Any other: in the first one the particle enters the domain, or leaves its last mirror.
 Particle passFields(Particle particle, float t) {
-    Particle after = particle;
+    Particle start = atStepStart(particle);
     float dt = settings.opticalStep;
-    after.xPrevious = particle.x;
-    after.arcLength = 0.0;
     float straight = clamp(particle.enterPath - t, 0.0, dt);
     if (particle.status == PARTICLE_WAITING) {
-        after = enterDomain(after, particle.x + particle.w * straight);
-        after.arcLength = straight;
+        start = enterDomain(start, particle.x + particle.w * straight);
+        start.arcLength = straight;
         dt -= straight;
     }
 #ifdef FOLLOW_REFLECTIONS
     if (particle.status == PARTICLE_MIRRORED) {
-        after.x = particle.x + particle.w * straight;
-        after.arcLength = straight * length(particle.w);
-        after = leaveMirror(after);
+        start.x = particle.x + particle.w * straight;
+        start.arcLength = straight * length(particle.w);
+        start = leaveMirror(start);
         dt -= straight;
     }
 #endif
-    return advanceInside(after, dt);
+    return advanceInside(start, dt);
 }
 
 // One step of optical path, whatever the particle is doing; t: optical path at the start of the step.

@@ -129,42 +129,73 @@ void beginReflections(uint self) {
     }
 }
 
+// A ray on its way to its mirrors.
+struct MirrorPath {
+    Particle ray;
+    uint stepCount;
+    uint mirrors;    // so far
+    uint crossings;  // since the last of them
+    Start start;     // of the crossing under way
+};
+
+// The ray makes a step, unless it ends the crossing that is the next mirror: true.
+bool meetsMirror(inout MirrorPath path, Particle after) {
+    bool reflects = reflectsBetween(path.ray, after);
+    path.crossings += reflects ? 1u : 0u;
+    if (reflects && path.crossings == crossingOfMirror(path.mirrors)) {
+        return true;
+    }
+    if (!isSameCrossing(path.ray, after)) {
+        path.start = Start(path.ray, pathAt(path.stepCount));
+    }
+    path.ray = after;
+    ++path.stepCount;
+    return false;
+}
+
+// The ray leaves the mirror that it has met.
+void leave(inout MirrorPath path, Particle after, inout uint evaluations) {
+    Particle ray = mirrored(path.start, path.ray, after, evaluations);
+    path.stepCount = uint(max(ray.enterPath, 0.0) / settings.opticalStep);
+    ray.x -= ray.w * (ray.enterPath - pathAt(path.stepCount));
+    path.ray = ray;
+    path.crossings = 0u;
+    ++path.mirrors;
+    path.start = Start(ray, pathAt(path.stepCount));
+}
+
+bool goesOn(MirrorPath path) {
+    return path.mirrors < tube.mirrorCount && path.stepCount < settings.maxSteps && path.ray.status <= PARTICLE_INSIDE;
+}
+
 // Ray number `self` on the path that is followed, at optical path 0.
 Particle launched(uint self, inout uint evaluations) {
     beginReflections(self);
     Particle ray = particleAtLaunch(frames[vertices[self].frameIndex], vertices[self].launch);
-    if (tube.mirrorCount == 0u) {
-        return ray;
+    MirrorPath path = MirrorPath(ray, 0u, 0u, 0u, Start(ray, 0.0));
+    while (goesOn(path)) {
+        while (goesOn(path) && fliesFree(path.ray, path.stepCount)) {
+            path.ray = fly(path.ray);
+            ++path.stepCount;
+        }
+        Particle after = path.ray;
+        bool meets = false;
+        bool plain = path.ray.status == PARTICLE_INSIDE;
+        while (goesOn(path) && plain && !meets) {
+            plain = isPlainStep(path.ray, after, evaluations);
+            if (plain) {
+                meets = meetsMirror(path, after);
+            }
+        }
+        if (goesOn(path) && !meets && !fliesFree(path.ray, path.stepCount)) {
+            after = stepped(path.ray, path.stepCount, evaluations);
+            meets = meetsMirror(path, after);
+        }
+        if (meets) {
+            leave(path, after, evaluations);
+        }
     }
-    Start start = Start(ray, 0.0);
-    uint mirrors = 0u;
-    uint crossings = 0u;
-    uint stepCount = 0u;
-    while (mirrors < tube.mirrorCount && stepCount < settings.maxSteps && ray.status <= PARTICLE_INSIDE) {
-        if (fliesFree(ray, pathAt(stepCount))) {
-            ray = fly(ray);
-            ++stepCount;
-            continue;
-        }
-        Particle after = stepped(ray, stepCount, evaluations);
-        bool reflects = reflectsBetween(ray, after);
-        crossings += reflects ? 1u : 0u;
-        if (reflects && crossings == crossingOfMirror(mirrors)) {
-            ray = mirrored(start, ray, after, evaluations);
-            stepCount = uint(max(ray.enterPath, 0.0) / settings.opticalStep);
-            ray.x -= ray.w * (ray.enterPath - pathAt(stepCount));
-            crossings = 0u;
-            ++mirrors;
-            start = Start(ray, pathAt(stepCount));
-            continue;
-        }
-        if (!isSameCrossing(ray, after)) {
-            start = Start(ray, pathAt(stepCount));
-        }
-        ray = after;
-        ++stepCount;
-    }
-    return atSource(ray, pathAt(stepCount), mirrors == tube.mirrorCount);
+    return tube.mirrorCount > 0u ? atSource(path.ray, pathAt(path.stepCount), path.mirrors == tube.mirrorCount) : ray;
 }
 
 // Enters what a step of ray number `self` lost by reflection.

@@ -28,13 +28,29 @@ float pathAt(uint stepCount) {
     return float(stepCount) * settings.opticalStep;
 }
 
-// The step that begins after so many, through fields.
+// Rays go on in loops of three kinds, for the software renderer runs both sides of every branch, but ends a loop where no ray of a
+// vector goes on: steps through empty space look at no field; plain steps at each once; and those in which something happens, which
+// are few, may look many times.
+
+bool fliesFree(Particle ray, uint stepCount) {
+    return fliesFree(ray, pathAt(stepCount));
+}
+
+// A step that begins after so many, if it is a plain one.
+bool isPlainStep(Particle ray, out Particle after, inout uint evaluations) {
+    InnerStep inner = stepInside(ray, settings.opticalStep);
+    evaluations += 1u;
+    after = passPlain(atStepStart(ray), inner);
+    return isPlain(inner);
+}
+
+// Any other step through fields.
 Particle stepped(Particle ray, uint stepCount, inout uint evaluations) {
     Particle after = passFields(ray, pathAt(stepCount));
     if (after.status == PARTICLE_BLOCKED) {
         after.blockedAt = float(stepCount) + after.litPart;
     }
-    evaluations += after.status == PARTICLE_INSIDE ? 1u : 0u;
+    evaluations += 1u;
     return after;
 }
 
@@ -126,13 +142,20 @@ void goOn(inout Trace trace, Particle after) {
     trace.lossBefore = loss;
 }
 
-// Invocations wait for those in the same loop: what flies through empty space looks at nothing meanwhile.
 void follow(inout Trace trace, uint lastStep, inout uint evaluations) {
     while (trace.stepCount < lastStep) {
-        while (trace.stepCount < lastStep && fliesFree(trace.ray, pathAt(trace.stepCount))) {
+        while (trace.stepCount < lastStep && fliesFree(trace.ray, trace.stepCount)) {
             goOn(trace, fly(trace.ray));
         }
-        while (trace.stepCount < lastStep && !fliesFree(trace.ray, pathAt(trace.stepCount))) {
+        bool plain = trace.ray.status == PARTICLE_INSIDE;
+        while (trace.stepCount < lastStep && plain) {
+            Particle after;
+            plain = isPlainStep(trace.ray, after, evaluations);
+            if (plain) {
+                goOn(trace, after);
+            }
+        }
+        if (trace.stepCount < lastStep && !fliesFree(trace.ray, trace.stepCount)) {
             goOn(trace, stepped(trace.ray, trace.stepCount, evaluations));
         }
     }
