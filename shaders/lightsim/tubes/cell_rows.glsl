@@ -5,7 +5,7 @@
 layout(binding = kUnitTubeCells) uniform usamplerBuffer cellTexels;
 
 // Of the corners: position from the domain's lower corner [voxels]; w of the later four: arc length between [voxels]; of the first
-// two: optical path from the light before and after the steps [scene units].
+// two: optical path from the light before and after the steps [scene units]; of the third: about the cell's volume [voxels^3].
 const int kFirstCornerRow = 0;
 // Share of the launched power that is left at the corners: a row each, by band, or four corners in a row.
 const int kFirstShareRow = 8;
@@ -41,6 +41,10 @@ vec4 cellRow(uint cell, int row) {
 
 vec4 cornerOf(uint cell, int corner) {
     return cellRow(cell, kFirstCornerRow + corner);
+}
+
+float volumeOf(uint cell) {
+    return cornerOf(cell, 2).w;
 }
 
 Trilinear mapOf(uint cell) {

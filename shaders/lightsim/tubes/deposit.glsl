@@ -2,10 +2,31 @@
 #include "lightsim/tubes/records.glsl"
 #include "lightsim/sums.glsl"
 
-// Power x arc length of the steps [voxels] at the corners of a cell, by band, in units of the sums.
+// Power x arc length of the steps [voxels] at the corners of a cell, by band, in units of the sums; of those after the steps, over
+// what matter leaves on the whole.
 struct CornerLight {
     vec3 powerLength[8];
+    vec3 fall;  // binary logarithm of that
 };
+
+#if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING)
+// Light falls as an exponential in matter; to or from nothing, as a straight line.
+void takeOutFall(inout CornerLight light) {
+    const float kLeast = 1.0e-3;
+    vec3 first = light.powerLength[0] + light.powerLength[1] + light.powerLength[2] + light.powerLength[3];
+    vec3 last = light.powerLength[4] + light.powerLength[5] + light.powerLength[6] + light.powerLength[7];
+    bvec3 falls = greaterThan(min(first, last), kLeast * max(first, last));
+    light.fall = mix(vec3(0.0), log2(max(last, vec3(1.0e-30)) / max(first, vec3(1.0e-30))), falls);
+    vec3 perFall = exp2(-light.fall);
+    for (int i = 4; i < 8; ++i) {
+        light.powerLength[i] *= perFall;
+    }
+}
+#else
+void takeOutFall(inout CornerLight light) {
+    light.fall = vec3(0.0);
+}
+#endif
 
 CornerLight cornerLightOf(uint cell) {
     CornerLight light;
@@ -23,6 +44,7 @@ CornerLight cornerLightOf(uint cell) {
         light.powerLength[i + 4] = powerLength * after[i];
     }
 #endif
+    takeOutFall(light);
     return light;
 }
 
@@ -50,20 +72,20 @@ vec3 bilinear(vec3 a, vec3 b, vec3 c, vec3 d, vec2 at) {
     return mix(mix(a, b, at.x), mix(c, d, at.x), at.y);
 }
 
-// Exponential from one value to another, t from 0 to 1; to or from nothing, a straight line.
-vec3 between(vec3 first, vec3 last, float t) {
+// What matter leaves, t from 0 to 1 along the steps.
+vec3 leftAt(CornerLight light, float t) {
 #if defined(EFFECT_ABSORPTION) || defined(EFFECT_SCATTERING)
-    vec3 exponential = first * pow(max(last, vec3(1.0e-30)) / max(first, vec3(1.0e-30)), vec3(t));
-    return mix(exponential, mix(first, last, t), lessThan(min(first, last), 1.0e-3 * max(first, last)));
+    return exp2(light.fall * t);
 #else
-    return mix(first, last, t);
+    return vec3(1.0);
 #endif
 }
 
-// The same at a place of the cell, per unit of u and v.
+// Power x arc length at a place of the cell, per unit of u and v.
 vec3 powerLengthAt(CornerLight light, vec3 at) {
-    return between(bilinear(light.powerLength[0], light.powerLength[1], light.powerLength[2], light.powerLength[3], at.xy),
-                   bilinear(light.powerLength[4], light.powerLength[5], light.powerLength[6], light.powerLength[7], at.xy), at.z);
+    vec3 first = bilinear(light.powerLength[0], light.powerLength[1], light.powerLength[2], light.powerLength[3], at.xy);
+    vec3 last = bilinear(light.powerLength[4], light.powerLength[5], light.powerLength[6], light.powerLength[7], at.xy);
+    return mix(first, last, at.z) * leftAt(light, at.z);
 }
 
 vec3 unitOf(vec3 v) {

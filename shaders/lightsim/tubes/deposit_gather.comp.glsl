@@ -4,6 +4,7 @@
 // Voxels that opaque matter cuts have samples of their own (CUT_VOXELS).
 #include "lightsim/tubes/deposit.glsl"
 #include "lightsim/tubes/voxel_samples.glsl"
+#include "lightsim/tubes/group_order.glsl"
 
 layout(local_size_x = BAKE_GROUP_SIZE) in;
 
@@ -178,34 +179,49 @@ ivec3 voxelOf(vec3 sampleNumber) {
     return ivec3(placeOfSample(sampleNumber));
 }
 
-// Adds what samples bring, one after the other of row after row in one loop, for invocations wait for the one that has most to do.
+// Adds what samples bring: those of a row in a voxel together, one such stretch after the other of row after row in one loop.
+// Invocations wait for the one that has most to do in either loop.
 void gatherFrom(Box box, Gather gather, CornerLight corners, uint firstRow) {
-    Light light = Light(vec3(0.0), vec3(0.0));
     vec3 extent = box.end - box.first;
     int most = int(extent.x * extent.y * extent.z);
+    float across = float(samplesAcross());
     Rows rows = rowsOf(gather, box);
     Row row = withSamples(rowAt(rowsOn(box.first.yz, float(firstRow), rows), rows), rows);
     for (int i = 0; i < most && row.number.y < box.end.z; ++i) {
-        vec3 number = vec3(row.next, row.number);
-        ivec3 voxel = voxelOf(number);
-        if (takesLight(voxel) && hasSamples(voxel)) {
-            Light more = lightAt(gather, corners, number, sampleShareIn(voxel));
+        ivec3 voxel = voxelOf(vec3(row.next, row.number));
+        bool takes = takesLight(voxel) && hasSamples(voxel);
+        float end = min(row.end, float(voxel.x + 1) * across);
+        float share = sampleShareIn(voxel);
+        Light light = Light(vec3(0.0), vec3(0.0));
+        for (float next = takes ? row.next : end; next < end; next += 1.0) {
+            Light more = lightAt(gather, corners, vec3(next, row.number), share);
             light.powerLength += more.powerLength;
             light.flux += more.flux;
         }
-        row.next += 1.0;
-        if (!hasSamplesLeft(row) || voxelOf(vec3(row.next, row.number)).x != voxel.x) {
-            if (brightestOf(light.powerLength) > 0.0) {
-                addAt(voxel, light.powerLength, light.flux);
-            }
-            light = Light(vec3(0.0), vec3(0.0));
-            row = withSamples(row, rows);
+        if (brightestOf(light.powerLength) > 0.0) {
+            addAt(voxel, light.powerLength, light.flux);
         }
+        row.next = end;
+        row = withSamples(row, rows);
     }
 }
 
+// Samples in a part, about; none of one that is not listed.
+float workOf(uint index) {
+    if (index >= header.lists[kList].count) {
+        return 0.0;
+    }
+    Part part = unpackedPart(listedPart(kList, index));
+    float across = float(samplesAcross());
+    return volumeOf(part.cell) * across * across * across / float(part.cuts.x * part.cuts.y * part.cuts.z);
+}
+
 void main() {
+#if GATHERS_PER_PART == 1
+    uint index = inOrderOf(workOf(gl_GlobalInvocationID.x));
+#else
     uint index = gl_GlobalInvocationID.x / uint(GATHERS_PER_PART);
+#endif
     uint firstRow = gl_GlobalInvocationID.x % uint(GATHERS_PER_PART);
     if (index >= header.lists[kList].count) {
         return;

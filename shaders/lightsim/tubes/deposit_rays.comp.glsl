@@ -29,5 +29,5 @@ void main() {
     float hidden = partBeforeMirror(part.cell, corner);
     float lit = max(litPartAtCorner(part.cell, corner), hidden);
     depositRay(mix(from, to, hidden), mix(from, to, lit),
-               between(light.powerLength[corner], light.powerLength[corner + 4], 0.5) * ((lit - hidden) / float(part.cuts.x)));
+               powerLengthAt(light, vec3(corner & 1, corner >> 1, 0.5)) * ((lit - hidden) / float(part.cuts.x)));
 }

@@ -241,12 +241,13 @@ void main() {
     if (!hasLight(cell) || !meetsDomain(cell)) {
         return;
     }
+    Trilinear map = mapOf(cell.corners);
+    cell.corners[2].w = abs(determinant(derivativesIn(map, vec3(0.5))));
     store(self, cell);
     vec3 extents = extentsOf(cell);
     if (listRays(cell, self, isWeak(job), extents)) {
         return;
     }
-    Trilinear map = mapOf(cell.corners);
     vec3 unevenness = unevennessOf(map);
     if (unevenness.x >= kFolded) {
         atomicAdd(header.foldedCells, 1u);
