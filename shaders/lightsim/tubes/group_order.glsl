@@ -7,8 +7,10 @@ const float kClassesPerDoubling = 1.5;
 shared uint classCounts[kWorkClasses];
 shared uint itemInOrder[BAKE_GROUP_SIZE];
 
+// The first where it is not known how much.
 uint classOf(float work) {
-    return uint(clamp(kClassesPerDoubling * log2(max(work, 1.0)), 0.0, float(kWorkClasses - 1u)));
+    float doublings = work > 1.0 ? log2(work) : 0.0;
+    return uint(min(kClassesPerDoubling * doublings, float(kWorkClasses - 1u)));
 }
 
 // For every invocation of the group, before any of them ends: of its own item there is so much to do. The number of another.
