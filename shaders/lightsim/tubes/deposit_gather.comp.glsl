@@ -1,6 +1,6 @@
 // Deposit, of parts in which irradiance is even: each sample point of a voxel that lies inside gets power x length over the
-// volume there, found by inverting the map of the part (Newton). Neighbouring cells share their faces, so that every sample
-// gets one value from each sheet of the wavefront, none twice.
+// volume there, found by inverting the map of the part (Newton), once for those of a row in a voxel. Neighbouring cells share their
+// faces, so that every sample gets one value from each sheet of the wavefront, none twice.
 // Voxels that opaque matter cuts have samples of their own (CUT_VOXELS).
 #include "lightsim/tubes/deposit.glsl"
 #include "lightsim/tubes/voxel_samples.glsl"
@@ -73,17 +73,54 @@ Gather gatherOf(Part part, Trilinear map) {
     return gather;
 }
 
-// Light of the part at the sample of that number, a share of that of its voxel.
-Light lightAt(Gather gather, CornerLight corners, vec3 number, float share) {
-    Light light = Light(vec3(0.0), vec3(0.0));
+// A row's places in the unit cube of a part about one of them, to second order in the samples from there.
+struct Passage {
+    vec3 q, perSample, perSquare;
+    float volume;  // of the map at q
+};
+
+Passage passageAt(Gather gather, vec3 number) {
     vec3 guess = gather.inverseMiddle * (number - gather.middle);
-    vec3 q = invertedIn(gather.map, number, guess + 0.5);
-    vec3 place = (vec3(gather.part.index) + q) * gather.perCut;
-    if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0))) && isLit(gather.part.cell, place)) {
-        mat3 d = derivativesIn(gather.map, q);
-        float own = abs(determinant(d)) * gather.volumeInCell;
-        light.powerLength = powerLengthAt(corners, place) * (share / volumeAt(gather.volumes, place, own));
-        light.flux = fluxOf(light.powerLength, unitOf(d[2]));
+    Passage passage;
+    passage.q = invertedIn(gather.map, number, guess + 0.5);
+    mat3 d = derivativesIn(gather.map, passage.q);
+    mat3 across = mat3(cross(d[1], d[2]), cross(d[2], d[0]), cross(d[0], d[1]));
+    passage.volume = dot(d[0], across[0]);
+    float perVolume = 1.0 / passage.volume;
+    vec3 a = vec3(across[0].x, across[1].x, across[2].x) * perVolume;
+    Trilinear map = gather.map;
+    vec3 bend = (map.c110 + map.c111 * passage.q.z) * (a.x * a.y) + (map.c101 + map.c111 * passage.q.y) * (a.x * a.z) +
+                (map.c011 + map.c111 * passage.q.x) * (a.y * a.z);
+    passage.perSample = a;
+    passage.perSquare = -(bend * across) * perVolume;
+    return passage;
+}
+
+vec3 placeIn(Passage passage, float samples) {
+    return passage.q + samples * (passage.perSample + samples * passage.perSquare);
+}
+
+// Light of the part at samples of a row, shares of that of their voxel: as many times what there is in their middle.
+Light lightOf(Gather gather, CornerLight corners, vec2 row, float first, float end, float share) {
+    Light light = Light(vec3(0.0), vec3(0.0));
+    float middle = 0.5 * (first + end - 1.0);
+    Passage passage = passageAt(gather, vec3(middle, row));
+    float count = 0.0;
+    float sum = 0.0;
+    for (float next = first; next < end; next += 1.0) {
+        vec3 q = placeIn(passage, next - middle);
+        vec3 place = (vec3(gather.part.index) + q) * gather.perCut;
+        if (all(greaterThanEqual(q, vec3(0.0))) && all(lessThan(q, vec3(1.0))) && isLit(gather.part.cell, place)) {
+            count += 1.0;
+            sum += next - middle;
+        }
+    }
+    if (count > 0.0) {
+        vec3 q = placeIn(passage, sum / count);
+        vec3 place = (vec3(gather.part.index) + q) * gather.perCut;
+        float own = abs(passage.volume) * gather.volumeInCell;
+        light.powerLength = powerLengthAt(corners, place) * (count * share / volumeAt(gather.volumes, place, own));
+        light.flux = fluxOf(light.powerLength, unitOf(derivativesIn(gather.map, q)[2]));
     }
     return light;
 }
@@ -192,12 +229,7 @@ void gatherFrom(Box box, Gather gather, CornerLight corners, uint firstRow) {
         bool takes = takesLight(voxel) && hasSamples(voxel);
         float end = min(row.end, float(voxel.x + 1) * across);
         float share = sampleShareIn(voxel);
-        Light light = Light(vec3(0.0), vec3(0.0));
-        for (float next = takes ? row.next : end; next < end; next += 1.0) {
-            Light more = lightAt(gather, corners, vec3(next, row.number), share);
-            light.powerLength += more.powerLength;
-            light.flux += more.flux;
-        }
+        Light light = lightOf(gather, corners, row.number, takes ? row.next : end, end, share);
         if (brightestOf(light.powerLength) > 0.0) {
             addAt(voxel, light.powerLength, light.flux);
         }
