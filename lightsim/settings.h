@@ -39,6 +39,7 @@ TubeSettings tubeSettingsOf(const Accuracy& accuracy, const Fields& fields);
 /// Whether every optical constant that changes light on its way is grey.
 bool isGreyMatter(const Fields& fields, const EffectSet& effects, const Accuracy& accuracy);
 
+/// Whether every light has the same strength in all bands.
 bool isGreyLight(const LightSet& lights);
 
 } // namespace eikonal::bake
