@@ -22,7 +22,6 @@ struct FieldBrick {
     bool matter = false;       ///< absorbs, scatters or emits
     bool scatters = false;
     bool evenMatter = true;    ///< absorption, scattering, anisotropy and emission are constants
-    bool fineMatter = false;   ///< matter that is not even on a lattice finer than this (common/inset_bricks.h)
     bool opaque = false;       ///< opaque matter, however little
 };
 

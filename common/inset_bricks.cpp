@@ -78,7 +78,6 @@ void addBrick(const FieldBrick& own, const Inset& inset, FieldBrick& brick) {
     brick.matter = brick.matter || own.matter;
     brick.scatters = brick.scatters || own.scatters;
     brick.evenMatter = brick.evenMatter && own.evenMatter;
-    brick.fineMatter = brick.fineMatter || !own.evenMatter;
     brick.opaque = brick.opaque || own.opaque;
 }
 

@@ -6,18 +6,20 @@
 
 #include "common/device_frame.h"
 #include "common/inset_bricks.h"
+#include "shaders/shared/brick.h"
 
 namespace eikonal::viewer {
 
 namespace {
 
-/// Whether a ray must look at every step: it may be bent, cross a boundary, be stopped or pass matter that the domain's voxels
-/// are too coarse for.
-bool holdsRays(const FieldBrick& brick, const EffectSet& effects, double negligible) {
+/// Whether a ray must look at every step: it may be bent, cross a boundary, be stopped or pass matter that has to be sampled.
+bool holdsRays(const FieldBrick& brick, const EffectSet& effects, double negligible, bool lit) {
+    const bool passesMatter = effects.has(Effect::kAbsorption) || effects.has(Effect::kScattering) || effects.has(Effect::kEmission);
     const float gradientMax =
         brick.gradientMax + (effects.has(Effect::kDispersion) ? brick.dispersedGradientMax : 0.0f);
     return (effects.has(Effect::kRefraction) && (gradientMax > negligible || brick.boundary)) ||
-           (effects.has(Effect::kOpaque) && brick.opaque) || brick.fineMatter;
+           (effects.has(Effect::kOpaque) && brick.opaque) ||
+           (passesMatter && !brick.evenMatter) || (lit && brick.scatters);
 }
 
 /// Optical lengths are single precision: they do not tell such an index from 1.
@@ -52,14 +54,10 @@ Box contentOf(const FieldPyramid& pyramid, const EffectSet& effects) {
     return box;
 }
 
-std::vector<unsigned char> texelsOf(const DenseGrid<unsigned char>& straight, const DenseGrid<unsigned char>& even) {
-    std::vector<unsigned char> texels;
-    texels.reserve(2 * straight.values.size());
-    for (std::size_t b = 0; b < straight.values.size(); ++b) {
-        texels.push_back(straight.values[b]);
-        texels.push_back(even.values[b]);
-    }
-    return texels;
+/// Of bricks to the next obstacle, or of an obstacle to the next place without.
+unsigned char texelOf(unsigned char toObstacle, unsigned char toOpening) {
+    const auto most = [](unsigned char distance) { return std::min<int>(distance, gpu::kNoClearance - 1); };
+    return static_cast<unsigned char>(gpu::kNoClearance + (toObstacle > 0 ? most(toObstacle) : -most(toOpening)));
 }
 
 } // namespace
@@ -68,10 +66,9 @@ Clearance::Clearance(const gpu::Context& context, const Fields& fields, const Ef
                      const FlightRules& rules)
     : effects_(effects), rules_(rules) {
     const std::vector<unsigned char> texels = lookAt(fields);
-    bool isFull = true;
-    for (std::size_t b = 0; b < texels.size(); b += 2) isFull = isFull && texels[b] == 0;
+    const bool isFull = std::all_of(texels.begin(), texels.end(), [](unsigned char texel) { return texel < gpu::kNoClearance; });
     if (isFull && fields.insets.empty()) return;  // insets may go elsewhere, and kernels stay
-    texture_.emplace(context, gpu::TexelFormat::kRg8, (fields.lattice.size + kBrickVoxels - 1) / kBrickVoxels, "clearance");
+    texture_.emplace(context, gpu::TexelFormat::kR8, (fields.lattice.size + kBrickVoxels - 1) / kBrickVoxels, "clearance");
     texture_->upload(texels.data());
 }
 
@@ -82,13 +79,14 @@ std::vector<unsigned char> Clearance::lookAt(const Fields& fields) {
     const Box content = contentOf(pyramid, effects_);
     contentMin_ = deviceFromWorld(fields.lattice, content.min);
     contentMax_ = deviceFromWorld(fields.lattice, content.max);
-    const auto straight = clearanceOf(pyramid, [&](const FieldBrick& brick) {
-        return holdsRays(brick, effects_, negligibleGradient_);
-    });
-    const auto even = clearanceOf(pyramid, [&](const FieldBrick& brick) {
-        return !brick.evenMatter || (rules_.lit && brick.scatters);
-    });
-    return texelsOf(straight, even);
+    const auto isObstacle = [&](const FieldBrick& brick) {
+        return holdsRays(brick, effects_, negligibleGradient_, rules_.lit);
+    };
+    const auto toObstacles = clearanceOf(pyramid, isObstacle);
+    const auto toOpenings = clearanceOf(pyramid, [&](const FieldBrick& brick) { return !isObstacle(brick); });
+    std::vector<unsigned char> texels(pyramid.bricks.values.size());
+    std::transform(toObstacles.values.begin(), toObstacles.values.end(), toOpenings.values.begin(), texels.begin(), texelOf);
+    return texels;
 }
 
 void Clearance::move(const Fields& fields) {

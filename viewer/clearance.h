@@ -32,7 +32,7 @@ public:
     std::vector<std::pair<std::string, std::size_t>> textures() const;
 
 private:
-    /// Bounds what the fields hold; clearances of straight flights and of even matter, brick after brick.
+    /// Bounds what the fields hold; clearances of straight flights, brick after brick.
     std::vector<unsigned char> lookAt(const Fields& fields);
 
     EffectSet effects_;

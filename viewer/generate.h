@@ -18,6 +18,7 @@ public:
     void run(RayBatch& batch) const;
 
 private:
+    Source source_;
     gpu::Kernel kernel_;
 };
 

@@ -13,10 +13,10 @@ namespace {
 // Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included; a vector of
 // eight rays has one count, and in the worst case they take their turns one after the other.
 constexpr std::uint32_t kIterationsPerDispatch = 65535 / 8;
-constexpr std::uint32_t kIterationsPerFlight = 16;  // kSamplesPerFlight of shaders/viewer/flight.glsl
-constexpr std::uint32_t kIterationsPerFlightWithInsets = 4;
 constexpr std::uint32_t kMirrorCorrections = 2;     // of shaders/physics/mirror.glsl
 constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
+// Rays of a vector wait for the longest of them, which next to a captured one is never near its end.
+constexpr std::uint32_t kMostStepsPerSlice = 192;
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
 // Between looks at whether a ray is under way still, for which the device is waited for. Most rays pass a ball in four.
@@ -78,9 +78,7 @@ std::uint32_t lookUpsPerStep(const std::vector<std::string>& defines, Integrator
 std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, const MarchSettings& settings) {
     constexpr std::uint32_t kVoxelsAbout = 8;
     constexpr std::uint32_t kLoopsAbout = 4;  // over events, flights and steps in turn, flights, steps
-    const std::uint32_t ofFlight = isAmong(defines, "INSETS") ? kIterationsPerFlightWithInsets : kIterationsPerFlight;
-    const std::uint32_t samples =
-        std::max(isAmong(defines, "STRAIGHT_FLIGHTS") ? ofFlight : 1u, 2 * samplesPerHalfOf(settings));
+    const std::uint32_t samples = std::max(1u, 2 * samplesPerHalfOf(settings));
     const std::uint32_t toMirror = isAmong(defines, "FOLLOW_REFLECTIONS") ? kMirrorCorrections : 0;
     const std::uint32_t overInsets = std::uint32_t(settings.insets.mostAbout) *
                                      lookUpsPerStep(defines, settings.integrator, toMirror, samples);
@@ -98,9 +96,7 @@ bool stepsFreely(const std::vector<std::string>& defines, const MarchSettings& s
 
 std::vector<std::string> withSteps(std::vector<std::string> defines, const MarchSettings& settings) {
     defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalfOf(settings)));
-    if (settings.matterVoxels != 1.0) defines.push_back("MATTER_VOXELS " + std::to_string(settings.matterVoxels));
     if (const char* define = defineOf(settings.integrator)) defines.push_back(define);
-    if (stepsFreely(defines, settings)) defines.push_back("STEPS_FREELY");
     return defines;
 }
 
@@ -118,8 +114,8 @@ March::March(const gpu::Context& context, const std::vector<std::string>& define
 void March::setInsets(const InsetBounds& insets) {
     settings_.insets = insets;
     maxEvaluations_ = evaluationLimit(settings_, lattice_);
-    stepsPerSlice_ = settings_.stepsPerSlice > 0 ? settings_.stepsPerSlice
-                                                 : std::max(kIterationsPerDispatch / iterationsPerStep(defines_, settings_), 1u);
+    const std::uint32_t finished = kIterationsPerDispatch / iterationsPerStep(defines_, settings_);
+    stepsPerSlice_ = settings_.stepsPerSlice > 0 ? settings_.stepsPerSlice : std::clamp(finished, 1u, kMostStepsPerSlice);
 }
 
 void March::configure(gpu::ViewBlock& view) const {

@@ -2,6 +2,7 @@
 // Rays under way (shaders/viewer/ray_lists.glsl): a dispatch takes the rays of one list and fills the other.
 
 #include <utility>
+#include <vector>
 
 #include "common/gpu/objects.h"
 #include "shaders/shared/view_blocks.h"
@@ -35,6 +36,12 @@ public:
         gpu::RayListHead head{};
         filled_.downloadBytes(0, &head, sizeof head);
         return head.count;
+    }
+    /// Of the rays of the list that was filled, with what is known of each (shaders/viewer/ray_lists.glsl). Waits for the device.
+    std::vector<gpu::uint> filledEntries() const {
+        std::vector<gpu::uint> entries(filledCount());
+        filled_.downloadBytes(sizeof(gpu::RayListHead), entries.data(), entries.size() * sizeof(gpu::uint));
+        return entries;
     }
     std::size_t bytes() const { return taken_.bytes() + filled_.bytes(); }
 

@@ -55,7 +55,7 @@ private:
     std::size_t bytes_ = 0;
 };
 
-enum class TexelFormat { kR8, kRg8, kRgba8, kRg16, kRgba32f, kR32f };
+enum class TexelFormat { kR8, kRgba8, kRg16, kRgba32f, kR32f };
 
 /// A texture with linear filtering, of one level unless means over ever larger squares are wanted. Volumes are clamped at
 /// their faces; images repeat along u and are clamped along v (latitude-longitude maps). Throws badInput if the size is

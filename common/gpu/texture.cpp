@@ -19,7 +19,6 @@ struct FormatTraits {
 FormatTraits traitsOf(TexelFormat format) {
     switch (format) {
         case TexelFormat::kR8: return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
-        case TexelFormat::kRg8: return {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 2};
         case TexelFormat::kRgba8: return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
         case TexelFormat::kRg16: return {GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4};
         case TexelFormat::kR32f: return {GL_R32F, GL_RED, GL_FLOAT, 4};

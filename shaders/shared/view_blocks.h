@@ -28,7 +28,9 @@ const int kStorageTakenRays = 5;   // RayListHead, then entries (viewer/ray_list
 const int kStorageFilledRays = 1;  // the same of those that it leaves to the next
 const int kStorageGiven = 7;       // GivenRay, one a ray, where rays are begun; later kStorageDirectRays is there
 
-const int kRaysPerGroup = 64;
+const int kBlockEdge = 8;  // of the pixels whose rays a workgroup takes
+const int kRaysPerGroup = kBlockEdge * kBlockEdge;
+const int kPicturePieces = 89;  // in which a tile's blocks are listed (viewer/picture_order.glsl)
 const int kRaysPerCount = 16;  // that one invocation counts
 
 // Where a ray is in its life.

@@ -1,10 +1,6 @@
-// Straight flights: where nothing bends a ray or stops it, it goes in one piece to where something may
+// Straight flights: where nothing bends a ray or stops it and matter is even, it goes in one piece to where something may change
 // (docs/physics.md, section 1).
 #include "shared/brick.h"
-
-#ifndef MATTER_VOXELS
-#define MATTER_VOXELS 1.0
-#endif
 
 #ifdef STRAIGHT_FLIGHTS
 
@@ -12,23 +8,16 @@ layout(binding = kUnitClearance) uniform sampler3D clearanceGrid;
 
 // How far ahead [scene units] the ray's surroundings are alike.
 struct Clearance {
-    bool straight;  // nothing bends or stops the ray; else something may
+    bool straight;  // nothing bends or stops the ray, and matter is even; else nowhere so
     float reach;    // of which that holds
-    float even;     // nor do matter or its light change; 0: they may
 };
 
 // Flights end this far inside the next brick, so that the next look-up is there.
-const float kBeyondBrick = 1e-3;    // voxels
-// Matter that varies is sampled every MATTER_VOXELS voxels, this often before the ray looks about again.
-#ifdef INSETS
-const int kSamplesPerFlight = 4;  // each has loops over insets, and a dispatch has few turns of loops
-#else
-const int kSamplesPerFlight = 16;
-#endif
+const float kBeyondBrick = 1e-3;  // voxels
 
-// Clearances are Chebyshev distances in bricks: the box that reaches so many bricks less one beyond x's own is free. It counts as
+// Clearances are Chebyshev distances in bricks: the box that reaches so many bricks less one beyond x's own is alike. It counts as
 // a little larger, so that a ray that runs along a face of it, to rounding, is not held up there.
-float distanceInClear(float bricks, vec3 brick, vec3 x, vec3 direction) {
+float distanceAlike(float bricks, vec3 brick, vec3 x, vec3 direction) {
     float edge = float(kBrickVoxels) * domain.voxel;
     float beyond = kBeyondBrick * domain.voxel;
     vec3 low = domain.min + (brick - (bricks - 1.0)) * edge;
@@ -40,45 +29,21 @@ Clearance clearanceAhead(vec3 x, vec3 direction) {
     BoxSpan content = boxSpan(x, direction, view.contentMin, view.contentMax);
     bool never = content.leave <= max(content.enter, 0.0);
     if (never || content.enter > 0.0) {
-        float free = never ? 1.0e30 : content.enter;
-        return Clearance(true, free, free);
+        return Clearance(true, never ? 1.0e30 : content.enter);
     }
     ivec3 brick = ivec3(floor((x - domain.min) / (float(kBrickVoxels) * domain.voxel)));
     brick = clamp(brick, ivec3(0), textureSize(clearanceGrid, 0) - 1);
-    vec2 bricks = round(255.0 * texelFetch(clearanceGrid, brick, 0).rg);
-    float even = bricks.g > 0.0 ? distanceInClear(bricks.g, vec3(brick), x, direction) : 0.0;
-    return Clearance(bricks.r > 0.0, distanceInClear(max(bricks.r, 1.0), vec3(brick), x, direction), even);
+    float bricks = round(255.0 * texelFetch(clearanceGrid, brick, 0).r) - float(kNoClearance);
+    return Clearance(bricks > 0.0, distanceAlike(abs(bricks), vec3(brick), x, direction));
 }
 
-// What matter does along a straight piece, or the beginning of it; the length that was passed. Even matter takes one exact
-// piece, and what varies one sample every MATTER_VOXELS.
-float passAhead(inout RayState ray, vec3 direction, float ds, float even) {
-#ifdef MATTER
-    if (even > 0.0) {
-        float passed = min(ds, even);
-        passMatter(ray, ray.x + direction * (0.5 * passed), direction, ray.n, passed);
-        return passed;
-    }
-    // flights go a little beyond bricks: samples stay a voxel apart, in step with the lattice
-    const float kSlack = 0.01;
-    int count = max(int(ceil(ds / (MATTER_VOXELS * domain.voxel) - kSlack)), 1);
-    float piece = ds / float(count);
-    int samples = min(count, kSamplesPerFlight);
-    for (int i = 0; i < samples; ++i) {
-        passMatter(ray, ray.x + direction * ((float(i) + 0.5) * piece), direction, ray.n, piece);
-    }
-    return samples == count ? ds : float(samples) * piece;
-#else
-    return ds;
-#endif
-}
-
-// Moves the ray straight on, as far as `ahead` says and matter lets it.
+// Moves the ray straight on, as far as `ahead` says, through matter that is even.
 void fly(inout RayState ray, vec3 direction, Clearance ahead) {
     float toFace = distanceToExit(ray.x, direction, domain.min, domain.max);
-    float beyond = kBeyondBrick * domain.voxel;
-    float went = passAhead(ray, direction, min(ahead.reach + beyond, toFace),
-                           ahead.even > 0.0 ? ahead.even + beyond : 0.0);
+    float went = min(ahead.reach + kBeyondBrick * domain.voxel, toFace);
+#ifdef MATTER
+    passMatter(ray, ray.x + direction * (0.5 * went), direction, ray.n, went);
+#endif
     ray.x = clamp(ray.x + direction * went, domain.min, domain.max);
     ray.pathLength += went;
     ray.opticalLength += ray.n * went;
@@ -95,7 +60,7 @@ bool mayFly(RayState ray, uint left) {
     return left > 0u && ray.status == kMarching && looksAhead(ray);
 }
 
-// Flies if nothing ahead is in the way, else notes how far that is known.
+// Flies if nothing ahead is in the way, else notes up to where no look would find otherwise.
 void look(inout RayState ray, inout uint left) {
     vec3 direction = unitDirection(ray);
     Clearance ahead = clearanceAhead(ray.x, direction);

@@ -2,10 +2,23 @@
 // are texture coordinates, and a step that turns out to leave the domain is taken back afterwards.
 //
 // A vector of rays on the software renderer waits for every operation between a fetch and the place of the next, and pays for
-// every number that a turn of the loop changes: here they are as few as can be.
+// every number that a turn of the loop changes: here they are as few as can be, and one ray's are worked out while another's
+// fetch is under way.
+#include "viewer/steps.glsl"
 
+// Rays of an invocation. Where they fly, which one does while others step, they would wait for each other more than they gain;
+// and what meets dispersion is noted by invocation.
+#if defined(STRAIGHT_FLIGHTS) || defined(EFFECT_DISPERSION)
+const int kRaysAtOnce = 1;
+#else
+const int kRaysAtOnce = 2;
+#endif
+
+// In the domain's box, 0 to 1: such numbers come first by their bits, before greater and negative ones and what is no number.
 bool isWithin(vec3 coordinate) {
-    return all(lessThanEqual(abs(coordinate - 0.5), vec3(0.5)));
+    const uint kOne = 0x3f800000u;
+    uvec3 bits = floatBitsToUint(coordinate);
+    return max(max(bits.x, bits.y), bits.z) <= kOne;
 }
 
 // By which a ray drifts in half a step, in texture coordinates. `stepScale`: of a step's length, by axis.
@@ -13,30 +26,60 @@ vec3 halfDrift(vec3 w, vec3 stepScale) {
     return driftAlong(Ray(vec3(0.0), w * stepScale), 1.0 / length(w), 0.5).x;
 }
 
-// What free steps bring.
+// A ray's free steps from where it is.
 struct FreeSteps {
     vec3 next;     // middle of the step after them
-    vec3 w;        // before it
+    vec3 perStep;  // wave vector before it, by the length of a step: kicks are gradients
     float n;       // at the last evaluation
     float sumOfN;  // over all of them
     uint count;
     bool bent;     // by the last one
+    bool goOn;
+    uint most, beforeLook;
 };
+
+FreeSteps beginSteps(RayState ray, uint left, vec3 stepScale) {
+    FreeSteps steps;
+    steps.next = coordinateOf(ray.x) + halfDrift(ray.w, stepScale);
+    steps.perStep = ray.w / view.stepLength;
+    steps.n = ray.n;
+    steps.sumOfN = 0.0;
+    steps.count = 0u;
+    steps.bent = false;
+    steps.most = stepsLeft(ray, left);
+    steps.beforeLook = stepsBeforeLook(ray, view.stepLength);
+    steps.goOn = isPlain(ray, steps.most) && isWithin(steps.next);
+    return steps;
+}
+
+void takeStep(inout FreeSteps steps, vec3 stepScale) {
+    Optics there = domainOptics(steps.next);
+    if (kRaysAtOnce == 1 || steps.goOn) {  // one that has come to its end lets the other go on
+        Ray turned = kickByLength(Ray(steps.next, steps.perStep), there.gradN, 1.0);
+        steps.perStep = turned.w;
+        steps.next = driftAlong(Ray(turned.x, turned.w * stepScale), 1.0 / length(turned.w), 1.0).x;
+        steps.n = there.n;
+        steps.sumOfN += there.n;
+        steps.count += 1u;
+        steps.bent = isBend(there.gradN);
+        steps.goOn = isWithin(steps.next) && steps.count < steps.most && (steps.bent || steps.count < steps.beforeLook);
+    }
+}
 
 // Takes the last step back: half drift, kick, half drift.
 void takeBack(inout FreeSteps steps, vec3 stepScale) {
-    steps.next -= 2.0 * halfDrift(steps.w, stepScale);
+    steps.next -= 2.0 * halfDrift(steps.perStep, stepScale);
     Optics there = domainOptics(steps.next);
-    steps.w = kickByLength(Ray(steps.next, steps.w), there.gradN, -view.stepLength).w;
-    steps.n = length(steps.w);  // as on a true ray
+    steps.perStep = kickByLength(Ray(steps.next, steps.perStep), there.gradN, -1.0).w;
+    steps.n = length(steps.perStep) * view.stepLength;  // as on a true ray
     steps.sumOfN -= there.n;
     steps.count -= 1u;
 }
 
 void move(inout RayState ray, FreeSteps steps, vec3 stepScale) {
     float ds = view.stepLength;
-    ray.x = placeOf(steps.next - halfDrift(steps.w, stepScale));
-    ray.w = steps.w;
+    ray.x = placeOf(steps.next - halfDrift(steps.perStep, stepScale));
+    ray.w = steps.perStep * ds;
     ray.n = steps.n;
     ray.pathLength += (float(steps.count) - 1.0) * ds;
     noteBend(ray, steps.bent, ds);
@@ -44,28 +87,12 @@ void move(inout RayState ray, FreeSteps steps, vec3 stepScale) {
     ray.opticalLength += steps.sumOfN * ds;
 }
 
-// Steps until the next one may leave the domain: true. Or the ray may fly, or has come to the slice's end.
-bool stepAlong(inout RayState ray, inout uint left) {
-    vec3 stepScale = view.stepLength * domain.scale;
-    uint most = stepsLeft(ray, left);
-    uint beforeLook = stepsBeforeLook(ray, view.stepLength);
-    vec3 middle = coordinateOf(ray.x) + halfDrift(ray.w, stepScale);
-    FreeSteps steps = FreeSteps(middle, ray.w, ray.n, 0.0, 0u, false);
-    bool goesOn = isPlain(ray, most) && isWithin(middle);
-    while (goesOn) {
-        Optics there = domainOptics(steps.next);
-        steps.w = kickByLength(Ray(steps.next, steps.w), there.gradN, view.stepLength).w;
-        steps.next = driftAlong(Ray(steps.next, steps.w * stepScale), 1.0 / length(steps.w), 1.0).x;
-        steps.n = there.n;
-        steps.sumOfN += there.n;
-        steps.count += 1u;
-        steps.bent = isBend(there.gradN);
-        goesOn = isWithin(steps.next) && steps.count < most && (steps.bent || steps.count < beforeLook);
-    }
+// Whether the ray's next step may leave the domain.
+bool endSteps(inout RayState ray, inout uint left, FreeSteps steps, vec3 stepScale) {
     bool leaves = !isWithin(steps.next);
     if (steps.count > 0u) {
         ray.evaluations += steps.count;
-        if (!isWithin(steps.next - halfDrift(steps.w, stepScale))) {
+        if (!isWithin(steps.next - halfDrift(steps.perStep, stepScale))) {
             takeBack(steps, stepScale);
             ray.evaluations += 1u;
             leaves = true;

@@ -10,8 +10,21 @@
 
 layout(local_size_x = kRaysPerGroup) in;
 
+const uint kNoRayToBegin = 0xffffffffu;
+
 #ifdef RAYS_GIVEN
 layout(std430, binding = kStorageGiven) readonly buffer Given { GivenRay given[]; };
+
+uint rayToBegin() {
+    uint index = gl_GlobalInvocationID.x;
+    return index < view.rayCount ? index : kNoRayToBegin;
+}
+#else
+#include "viewer/picture_order.glsl"
+
+uint rayToBegin() {
+    return rayInPictureOrder(kNoRayToBegin);
+}
 #endif
 
 RayState rayAt(vec3 origin, vec3 direction) {
@@ -90,7 +103,7 @@ uint generateRay(uint index) {
 }
 
 void main() {
-    uint index = gl_GlobalInvocationID.x;
-    bool generates = index < view.rayCount && isFollowed(loadRay(index));
+    uint index = rayToBegin();
+    bool generates = index != kNoRayToBegin && isFollowed(loadRay(index));
     listRays(generates ? generateRay(index) : kNoEntry);
 }

@@ -1,21 +1,85 @@
 // A slice of rays on which nothing acts but the index: all that can happen to one is that it leaves the domain.
-#include "viewer/stretch.glsl"
+#include "viewer/free_steps.glsl"
 #include "viewer/event.glsl"
 
-uint marchFreely(uint entry) {
-    rayIndex = entry & ~kIsPlain;
-    RayState ray = loadRay(rayIndex);
-    uint left = view.stepsPerSlice;
-    do {
-        bool leaves = followStretch(ray, left);
-        if (leaves) {
-            takeEventfulStep(ray);
-            left -= 1u;
+layout(local_size_x = kRaysPerGroup / kRaysAtOnce) in;
+
+struct Course {
+    uint entry;
+    RayState ray;
+    uint left;  // steps and flights of the slice
+    FreeSteps steps;
+};
+
+// Those of a vector of eight invocations follow each other in the list.
+uint placeInList(uint which) {
+    uint i = gl_LocalInvocationIndex;
+    return gl_WorkGroupID.x * uint(kRaysPerGroup) + (i & ~7u) * uint(kRaysAtOnce) + 8u * which + (i & 7u);
+}
+
+Course courseAt(uint place) {
+    Course course;
+    bool isListed = place < takenHead.count;
+    course.entry = isListed ? takenRays[place] : kNoEntry;
+    course.ray = loadRay(isListed ? course.entry & ~kIsPlain : 0u);
+    if (!isListed) {
+        course.ray.status = kMissed;
+    }
+    course.left = view.stepsPerSlice;
+    return course;
+}
+
+// Steps of rays side by side, each until it may leave the domain or fly, or has come to the slice's end.
+void stepAlong(inout Course courses[kRaysAtOnce], vec3 stepScale) {
+    bool goesOn = false;
+    for (int i = 0; i < kRaysAtOnce; ++i) {
+        courses[i].steps = beginSteps(courses[i].ray, courses[i].left, stepScale);
+        goesOn = goesOn || courses[i].steps.goOn;
+    }
+    while (goesOn) {
+        goesOn = false;
+        for (int i = 0; i < kRaysAtOnce; ++i) {
+            takeStep(courses[i].steps, stepScale);
+            goesOn = goesOn || courses[i].steps.goOn;
         }
-    } while (left > 0u && ray.status == kMarching);
-    return passOn(ray, false);
+    }
+}
+
+bool followOn(inout Course course, vec3 stepScale) {
+    if (endSteps(course.ray, course.left, course.steps, stepScale)) {
+        takeEventfulStep(course.ray);
+        course.left -= 1u;
+    }
+    return course.left > 0u && course.ray.status == kMarching;
+}
+
+uint pass(Course course) {
+    if (course.entry == kNoEntry) {
+        return kNoEntry;
+    }
+    rayIndex = course.entry & ~kIsPlain;
+    return passOn(course.ray, false);
 }
 
 void main() {
-    listRays(isListed() ? marchFreely(listedEntry()) : kNoEntry);
+    vec3 stepScale = view.stepLength * domain.scale;
+    Course courses[kRaysAtOnce];
+    for (int i = 0; i < kRaysAtOnce; ++i) {
+        courses[i] = courseAt(placeInList(uint(i)));
+    }
+    bool goesOn;
+    do {
+        for (int i = 0; i < kRaysAtOnce; ++i) {
+            flyAhead(courses[i].ray, courses[i].left);
+        }
+        stepAlong(courses, stepScale);
+        goesOn = false;
+        for (int i = 0; i < kRaysAtOnce; ++i) {
+            bool on = followOn(courses[i], stepScale);
+            goesOn = goesOn || on;
+        }
+    } while (goesOn);
+    for (int i = 0; i < kRaysAtOnce; ++i) {
+        listRays(pass(courses[i]));
+    }
 }

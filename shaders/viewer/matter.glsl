@@ -24,7 +24,7 @@ vec3 scatteredRadiance(vec3 x, vec3 direction, vec4 sigmaS) {
     return vec3(0.0);
 }
 
-// A piece of length ds around x, no longer than a voxel.
+// A piece of length ds around x: no longer than a voxel or so, or of matter that is even.
 void passMatter(inout RayState ray, vec3 x, vec3 direction, float n, float ds) {
     vec3 sigmaT = vec3(0.0);
     vec3 source = vec3(0.0);

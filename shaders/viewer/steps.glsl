@@ -6,8 +6,6 @@
 #include "physics/box.glsl"
 #include "viewer/matter.glsl"
 
-layout(local_size_x = kRaysPerGroup) in;
-
 // A step as two straight pieces, which meet near where the field is evaluated.
 struct Step {
     vec3 start, middle, end;
@@ -46,6 +44,15 @@ void endRay(inout RayState ray) {
 #include "viewer/flight.glsl"
 #include "viewer/face_step.glsl"
 
+// Whether the ray is where it must step, and may.
+bool isPlain(RayState ray, uint left) {
+    return left > 0u && ray.status == kMarching && !looksAhead(ray);
+}
+
+uint stepsLeft(RayState ray, uint left) {
+    return min(left, (evaluationsLeft(ray) + kEvaluationsPerStep - 1u) / kEvaluationsPerStep);
+}
+
 Step stepOf(RayState ray, RayStep next, float ds) {
     Step taken;
     taken.start = ray.x;
@@ -63,7 +70,7 @@ Step stepOf(RayState ray, RayStep next, float ds) {
     return taken;
 }
 
-// Matter is sampled at least every MATTER_VOXELS voxels, whatever the step: once a step in its middle, or SAMPLES_PER_HALF
+// Matter is sampled at least every voxel or so, whatever the step: once a step in its middle, or SAMPLES_PER_HALF
 // times on each of its two pieces.
 void passStep(inout RayState ray, Step taken) {
     ray.pathLength += taken.first + taken.second;
@@ -118,4 +125,10 @@ void storeRay(RayState marched) {
     storeRows(rayIndex, rows, kCrossingRow, kRowsPerRay);
 #endif
     storeBoundary();
+}
+
+// What is to be listed for the next slice.
+uint passOn(RayState ray, bool eventful) {
+    storeRay(ray);
+    return ray.status != kMarching ? kNoEntry : eventful ? rayIndex : rayIndex | kIsPlain;
 }

@@ -1,22 +1,40 @@
-// A stretch of a ray's way: straight flights where nothing bends it, else steps, up to one in which something happens.
+// A stretch of a ray's way: straight flights where nothing bends it, else steps, up to one in which something happens: at a
+// boundary, in matter, at opaque matter or the end of the domain.
 //
 // A vector of rays pays for every line between two turns of a loop, whether or not one of its rays takes that branch, and for
 // one turn of every loop. So there is little here but what most steps need, and loops end with the last turn that one needs.
 #include "viewer/steps.glsl"
 
-bool isPlain(RayState ray, uint left) {
-    return left > 0u && ray.status == kMarching && !looksAhead(ray);
-}
+layout(local_size_x = kRaysPerGroup) in;
 
-uint stepsLeft(RayState ray, uint left) {
-    return min(left, (evaluationsLeft(ray) + kEvaluationsPerStep - 1u) / kEvaluationsPerStep);
+// Steps until something happens in one, which is not taken then: true. Or the ray may fly, or has come to the slice's end.
+bool stepAlong(inout RayState ray, inout uint left) {
+    bool eventful = false;
+    uint most = stepsLeft(ray, left);
+    uint taken = 0u;
+    if (isPlain(ray, most)) {
+        float perW = 1.0 / length(ray.w);
+        do {
+            float ds = usualStepAt(ray.x);
+            RayStep onward = stepRay(Ray(ray.x, ray.w), perW, ds);
+            Step next = stepOf(ray, onward, ds);
+            if (isEventful(ray, next)) {
+                eventful = true;
+                break;
+            }
+            taken += 1u;
+            perW = onward.perW;
+            move(ray, next);
+            followBoundary(ray, next);
+            passStep(ray, next);
+            endFaintRay(ray);
+        } while (isPlain(ray, most - taken));
+    }
+    left -= taken;
+    ray.evaluations += (taken + uint(eventful)) * kEvaluationsPerStep;
+    endRay(ray);
+    return eventful;
 }
-
-#ifdef STEPS_FREELY
-#include "viewer/free_steps.glsl"
-#else
-#include "viewer/plain_steps.glsl"
-#endif
 
 // At most `left` flights and steps. Whether something happens in the next step; else the ray or the slice has ended.
 bool followStretch(inout RayState ray, inout uint left) {
@@ -26,10 +44,4 @@ bool followStretch(inout RayState ray, inout uint left) {
         eventful = stepAlong(ray, left);
     } while (!eventful && left > 0u && ray.status == kMarching);
     return eventful;
-}
-
-// What is to be listed for the next slice.
-uint passOn(RayState ray, bool eventful) {
-    storeRay(ray);
-    return ray.status != kMarching ? kNoEntry : eventful ? rayIndex : rayIndex | kIsPlain;
 }

@@ -164,11 +164,11 @@ TEST(InsetBricks, AddWhatInsetsHoldToTheDomainsOwn) {
     EXPECT_EQ(corner.gradientMax, 0.0f);
     const FieldBrick& middle = pyramid.bricks.at(6, 6, 6);
     EXPECT_TRUE(middle.matter && middle.evenMatter);
-    EXPECT_FALSE(middle.boundary || middle.fineMatter);
+    EXPECT_FALSE(middle.boundary);
     EXPECT_EQ(middle.gradientMax, 0.0f) << "rays fly through the inside";
     EXPECT_EQ(middle.iorMax, 1.5f);
     const FieldBrick& rim = pyramid.bricks.at(6, 6, int((1.0 + 0.6) / 2.0 * 48) / kBrickVoxels);
-    EXPECT_TRUE(rim.boundary && rim.fineMatter);
+    EXPECT_TRUE(rim.boundary && !rim.evenMatter);
     EXPECT_GT(rim.gradientMax, 0.1f);
 }
 

@@ -48,7 +48,6 @@ std::vector<KernelVariant> variants() {
             rows.push_back(test::variant(kernel, subset, {"SAMPLES_PER_HALF 0"}));
             rows.push_back(test::variant(kernel, subset, {"SAMPLES_PER_HALF 2"}));
         }
-        rows.push_back(test::variant("viewer/march.comp.glsl", subset, {"SAMPLES_PER_HALF 0", "MATTER_VOXELS 2.000000"}));
         rows.push_back(test::variant("viewer/shade.comp.glsl", subset));
         rows.push_back(test::variant("viewer/reflect.comp.glsl", subset));
         rows.push_back(test::variant("viewer/generate.comp.glsl", subset));
@@ -59,7 +58,7 @@ std::vector<KernelVariant> variants() {
          {std::vector<std::string>{}, {"EFFECT_DISPERSION"}, {"CUBIC_INTERPOLATION"}, {"STRAIGHT_FLIGHTS"},
           {"EFFECT_DISPERSION", "DISPERSION_BY_REFRACTIVITY", "STRAIGHT_FLIGHTS"}, {"MANUAL_FILTERING"}}) {
         rows.push_back(test::variant("viewer/march_freely.comp.glsl",
-                                     {"EFFECT_REFRACTION", "STEPS_FREELY", "SAMPLES_PER_HALF 0"}, alone));
+                                     {"EFFECT_REFRACTION", "SAMPLES_PER_HALF 0"}, alone));
     }
     for (const char* integrator : {"INTEGRATOR_EULER", "INTEGRATOR_RK4", "INTEGRATOR_SHARMA"}) {
         rows.push_back(test::variant("viewer/march.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));

@@ -67,8 +67,9 @@ public:
         start(stepping_);
         batch_.view.stepsPerSlice = fetchesPerRay_;
         batch_.bind();
+        batch_.lists.swap();
         Rate rate;
-        rate.seconds = secondsOf([&] { fetching_.dispatch(batch_.groups()); });
+        rate.seconds = secondsOf([&] { batch_.lists.dispatch(fetching_); });
         rate.count = entered() * fetchesPerRay_;
         return rate;
     }
