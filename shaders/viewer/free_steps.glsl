@@ -4,15 +4,13 @@
 // A vector of rays on the software renderer waits for every operation between a fetch and the place of the next, and pays for
 // every number that a turn of the loop changes: here they are as few as can be, and one ray's are worked out while another's
 // fetch is under way.
-#include "viewer/steps.glsl"
 
-// Rays of an invocation. Where they fly, which one does while others step, they would wait for each other more than they gain;
-// and what meets dispersion is noted by invocation.
-#if defined(STRAIGHT_FLIGHTS) || defined(EFFECT_DISPERSION)
-const int kRaysAtOnce = 1;
-#else
-const int kRaysAtOnce = 2;
+// Where rays fly, which one does while others step, they would wait for each other more than they gain; and what meets dispersion
+// is noted by invocation.
+#if !defined(STRAIGHT_FLIGHTS) && !defined(EFFECT_DISPERSION)
+#define RAYS_AT_ONCE 2
 #endif
+#include "viewer/steps.glsl"
 
 // In the domain's box, 0 to 1: such numbers come first by their bits, before greater and negative ones and what is no number.
 bool isWithin(vec3 coordinate) {
@@ -54,7 +52,7 @@ FreeSteps beginSteps(RayState ray, uint left, vec3 stepScale) {
 
 void takeStep(inout FreeSteps steps, vec3 stepScale) {
     Optics there = domainOptics(steps.next);
-    if (kRaysAtOnce == 1 || steps.goOn) {  // one that has come to its end lets the other go on
+    if (RAYS_AT_ONCE == 1 || steps.goOn) {  // one that has come to its end lets the other go on
         Ray turned = kickByLength(Ray(steps.next, steps.perStep), there.gradN, 1.0);
         steps.perStep = turned.w;
         steps.next = driftAlong(Ray(turned.x, turned.w * stepScale), 1.0 / length(turned.w), 1.0).x;

@@ -105,5 +105,5 @@ uint generateRay(uint index) {
 void main() {
     uint index = rayToBegin();
     bool generates = index != kNoRayToBegin && isFollowed(loadRay(index));
-    listRays(generates ? generateRay(index) : kNoEntry);
+    listRay(generates ? generateRay(index) : kNoEntry);
 }

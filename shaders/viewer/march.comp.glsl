@@ -12,5 +12,5 @@ uint march(uint entry) {
 }
 
 void main() {
-    listRays(isListed() ? march(listedEntry()) : kNoEntry);
+    listRay(isListed() ? march(listedEntry()) : kNoEntry);
 }

@@ -2,7 +2,7 @@
 #include "viewer/free_steps.glsl"
 #include "viewer/event.glsl"
 
-layout(local_size_x = kRaysPerGroup / kRaysAtOnce) in;
+layout(local_size_x = kRaysPerGroup / RAYS_AT_ONCE) in;
 
 struct Course {
     uint entry;
@@ -14,7 +14,7 @@ struct Course {
 // Those of a vector of eight invocations follow each other in the list.
 uint placeInList(uint which) {
     uint i = gl_LocalInvocationIndex;
-    return gl_WorkGroupID.x * uint(kRaysPerGroup) + (i & ~7u) * uint(kRaysAtOnce) + 8u * which + (i & 7u);
+    return gl_WorkGroupID.x * uint(kRaysPerGroup) + (i & ~7u) * uint(RAYS_AT_ONCE) + 8u * which + (i & 7u);
 }
 
 Course courseAt(uint place) {
@@ -30,15 +30,15 @@ Course courseAt(uint place) {
 }
 
 // Steps of rays side by side, each until it may leave the domain or fly, or has come to the slice's end.
-void stepAlong(inout Course courses[kRaysAtOnce], vec3 stepScale) {
+void stepAlong(inout Course courses[RAYS_AT_ONCE], vec3 stepScale) {
     bool goesOn = false;
-    for (int i = 0; i < kRaysAtOnce; ++i) {
+    for (int i = 0; i < RAYS_AT_ONCE; ++i) {
         courses[i].steps = beginSteps(courses[i].ray, courses[i].left, stepScale);
         goesOn = goesOn || courses[i].steps.goOn;
     }
     while (goesOn) {
         goesOn = false;
-        for (int i = 0; i < kRaysAtOnce; ++i) {
+        for (int i = 0; i < RAYS_AT_ONCE; ++i) {
             takeStep(courses[i].steps, stepScale);
             goesOn = goesOn || courses[i].steps.goOn;
         }
@@ -63,23 +63,25 @@ uint pass(Course course) {
 
 void main() {
     vec3 stepScale = view.stepLength * domain.scale;
-    Course courses[kRaysAtOnce];
-    for (int i = 0; i < kRaysAtOnce; ++i) {
+    Course courses[RAYS_AT_ONCE];
+    for (int i = 0; i < RAYS_AT_ONCE; ++i) {
         courses[i] = courseAt(placeInList(uint(i)));
     }
     bool goesOn;
     do {
-        for (int i = 0; i < kRaysAtOnce; ++i) {
+        for (int i = 0; i < RAYS_AT_ONCE; ++i) {
             flyAhead(courses[i].ray, courses[i].left);
         }
         stepAlong(courses, stepScale);
         goesOn = false;
-        for (int i = 0; i < kRaysAtOnce; ++i) {
+        for (int i = 0; i < RAYS_AT_ONCE; ++i) {
             bool on = followOn(courses[i], stepScale);
             goesOn = goesOn || on;
         }
     } while (goesOn);
-    for (int i = 0; i < kRaysAtOnce; ++i) {
-        listRays(pass(courses[i]));
+    uint entries[RAYS_AT_ONCE];
+    for (int i = 0; i < RAYS_AT_ONCE; ++i) {
+        entries[i] = pass(courses[i]);
     }
+    listRays(entries);
 }

@@ -23,5 +23,5 @@ uint marchOn(uint entry) {
 }
 
 void main() {
-    listRays(isListed() ? marchOn(listedEntry()) : kNoEntry);
+    listRay(isListed() ? marchOn(listedEntry()) : kNoEntry);
 }

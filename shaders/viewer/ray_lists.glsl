@@ -21,15 +21,23 @@ const uint kNoEntry = 0xffffffffu;
 shared uint listedOfGroup;  // entries
 shared uint placeOfGroup;   // of the first one
 
+// Rays of an invocation.
+#ifndef RAYS_AT_ONCE
+#define RAYS_AT_ONCE 1
+#endif
+
 // To be called once by every invocation of the group. Its entries follow each other in the list, so that rays stay beside those
 // of their neighbours in the picture, which go the same way.
-void listRays(uint entry) {
+void listRays(uint entries[RAYS_AT_ONCE]) {
     bool isFirst = gl_LocalInvocationIndex == 0u;
     if (isFirst) {
         listedOfGroup = 0u;
     }
     barrier();
-    uint place = entry == kNoEntry ? 0u : atomicAdd(listedOfGroup, 1u);
+    uint places[RAYS_AT_ONCE];
+    for (int i = 0; i < RAYS_AT_ONCE; ++i) {
+        places[i] = entries[i] == kNoEntry ? 0u : atomicAdd(listedOfGroup, 1u);
+    }
     barrier();
     if (isFirst && listedOfGroup > 0u) {
         placeOfGroup = atomicAdd(filledHead.count, listedOfGroup);
@@ -37,10 +45,18 @@ void listRays(uint entry) {
         atomicMax(filledHead.groups[0], groups);
     }
     barrier();
-    if (entry != kNoEntry) {
-        filledRays[placeOfGroup + place] = entry;
+    for (int i = 0; i < RAYS_AT_ONCE; ++i) {
+        if (entries[i] != kNoEntry) {
+            filledRays[placeOfGroup + places[i]] = entries[i];
+        }
     }
 }
+
+#if RAYS_AT_ONCE == 1
+void listRay(uint entry) {
+    listRays(uint[1](entry));
+}
+#endif
 
 // Whether there is a ray on the list for this invocation, and which.
 bool isListed() {

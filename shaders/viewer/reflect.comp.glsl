@@ -61,5 +61,5 @@ uint nextRound(uint index) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    listRays(index < view.rayCount ? nextRound(index) : kNoEntry);
+    listRay(index < view.rayCount ? nextRound(index) : kNoEntry);
 }
