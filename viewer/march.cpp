@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t kIterationsPerDispatch = 65535 / 8;
 constexpr std::uint32_t kMirrorCorrections = 2;     // of shaders/physics/mirror.glsl
 constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
-// Rays of a vector wait for the longest of them, which next to a captured one is never near its end.
+// Rays of a vector that have come to their ends wait for the others to the slice's end, for captured ones each time.
 constexpr std::uint32_t kMostStepsPerSlice = 192;
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;

@@ -37,11 +37,12 @@ public:
         filled_.downloadBytes(0, &head, sizeof head);
         return head.count;
     }
-    /// Of the rays of the list that was filled, with what is known of each (shaders/viewer/ray_lists.glsl). Waits for the device.
-    std::vector<gpu::uint> filledEntries() const {
-        std::vector<gpu::uint> entries(filledCount());
-        filled_.downloadBytes(sizeof(gpu::RayListHead), entries.data(), entries.size() * sizeof(gpu::uint));
-        return entries;
+    /// Indices of the rays on it, in its order. Waits for the device.
+    std::vector<gpu::uint> filledRays() const {
+        std::vector<gpu::uint> rays(filledCount());
+        filled_.downloadBytes(sizeof(gpu::RayListHead), rays.data(), rays.size() * sizeof(gpu::uint));
+        for (gpu::uint& ray : rays) ray &= ~gpu::kIsPlain;
+        return rays;
     }
     std::size_t bytes() const { return taken_.bytes() + filled_.bytes(); }
 

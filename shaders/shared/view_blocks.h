@@ -42,6 +42,10 @@ const uint kMissed = 4u;      // never entered the domain
 const uint kAttenuated = 5u;  // nothing behind it can be seen
 const uint kNoRay = 6u;       // a place for a reflection's ray that is free
 
+// Set in an entry of a list, beside the ray's index: nothing happens to the ray in its next step that is known yet. Without it
+// that step has been looked at, and needs care.
+const uint kIsPlain = 0x80000000u;
+
 // In place of a band's channel: the pass at the reference wavelength.
 const uint kAllChannels = 3u;
 

@@ -11,10 +11,6 @@ layout(std430, binding = kStorageFilledRays) buffer FilledRays {
     uint filledRays[];
 };
 
-// Set in an entry: nothing happens to the ray in its next step that is known yet. Without it that step has been looked at, and
-// needs care.
-const uint kIsPlain = 0x80000000u;
-
 // What an invocation says that lists no ray.
 const uint kNoEntry = 0xffffffffu;
 
