@@ -25,10 +25,8 @@ void Accumulate::run(const RayBatch& batch) const {
     count_.dispatch({(batch.view.rayCount + kRaysOfAGroup - 1) / kRaysOfAGroup, 1, 1});
 }
 
-gpu::FilmPixel Accumulate::pixel(std::size_t index) const {
-    gpu::FilmPixel pixel;
-    film_.downloadBytes(index * sizeof pixel, &pixel, sizeof pixel);
-    return pixel;
+void Accumulate::read(std::size_t first, std::span<gpu::FilmPixel> pixels) const {
+    film_.downloadBytes(first * sizeof(gpu::FilmPixel), pixels.data(), pixels.size_bytes());
 }
 
 RayCounts Accumulate::counts() const {

@@ -2,6 +2,7 @@
 // Fourth step: samples into the film, and counts.
 
 #include <cstdint>
+#include <span>
 
 #include "shaders/shared/look_block.h"
 #include "viewer/ray_batch.h"
@@ -26,9 +27,8 @@ public:
     /// For kernels that compare another film with the one that is bound.
     void bindAsCompared() const { film_.bindTexels(gpu::kUnitComparedFilm); }
     void run(const RayBatch& batch) const;
-    /// The first pixels of the film.
-    std::vector<gpu::FilmPixel> film(std::size_t pixels) const { return film_.download<gpu::FilmPixel>(pixels); }
-    gpu::FilmPixel pixel(std::size_t index) const;
+    /// Pixels of the film, the first one of which has that index.
+    void read(std::size_t first, std::span<gpu::FilmPixel> pixels) const;
     RayCounts counts() const;
     std::size_t filmBytes() const { return film_.bytes(); }
 

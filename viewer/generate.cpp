@@ -23,8 +23,9 @@ Generate::Generate(const gpu::Context& context, std::vector<std::string> defines
     : source_(source), kernel_(context, "viewer/generate.comp.glsl", withSource(std::move(defines), source)) {}
 
 void Generate::run(RayBatch& batch) const {
-    batch.lists.clearFilled();
-    kernel_.dispatch(source_ == Source::kGiven ? batch.groups() : groupsOfPicture(batch.view.tileSize));
+    const glm::uvec3 groups = source_ == Source::kGiven ? batch.groups() : groupsOfPicture(batch.view.tileSize);
+    batch.lists.fillByGroups(groups.x);
+    kernel_.dispatch(groups);
 }
 
 } // namespace eikonal::viewer

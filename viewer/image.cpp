@@ -53,6 +53,11 @@ bool hasGreyMatter(const Fields& fields) {
            std::all_of(fields.insets.begin(), fields.insets.end(), [](const Inset& inset) { return isGrey(inset); });
 }
 
+RenderOptions withTile(RenderOptions options, const gpu::DeviceLimits& limits) {
+    if (options.tileRays == 0) options.tileRays = viewer::portionsFor(limits).rays;
+    return options;
+}
+
 viewer::Generate generateFor(const gpu::Context& context, const GpuFields& fields,
                              const std::optional<viewer::Clearance>& clearance, const viewer::Sampling& sampling) {
     using Source = viewer::Generate::Source;
@@ -68,15 +73,15 @@ int strataOf(const RenderSettings& render) { return render.noise > 0.0 ? 0 : ren
 
 ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                    const EffectSet& effects, const BakedLight* bake, const RenderOptions& options)
-    : context_(context), options_(options), lattice_(fields.lattice), render_(scene.render),
+    : context_(context), options_(withTile(options, context.limits())), lattice_(fields.lattice), render_(scene.render),
       camera_(scene.camera), sampling_(viewer::samplingOf(scene.render, scene.camera)),
       fields_(context, fields, effects, interpolationOfImages(scene.accuracy)),
       environment_(surroundings(context, scene, effects, bake)),
       passes_(spectralBandsOf(scene.accuracy, effects), strataOf(scene.render)), hasGreyMatter_(hasGreyMatter(fields)),
       light_(context, bake, passes_.bandCount()),
-      clearance_(clearanceFor(context, scene, fields, effects, bake, options)),
-      reflections_(reflectionsFor(context, scene, effects, fields_, options)),
-      batch_(context, options.tileRays),
+      clearance_(clearanceFor(context, scene, fields, effects, bake, options_)),
+      reflections_(reflectionsFor(context, scene, effects, fields_, options_)),
+      batch_(context, options_.tileRays),
       generate_(generateFor(context, fields_, clearance_, sampling_)), steps_(stepVoxelsOf(scene.accuracy), 1.0),
       integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
       toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
@@ -219,6 +224,24 @@ void ProgressiveImage::finishRound() {
     ++round_;
     pixelsDone_ = 0;
     if (render_.noise > 0.0 && viewer::isNoiseLookedAt(samples())) isQuiet_ = noise().relative() <= render_.noise;
+}
+
+viewer::FilmNoise ProgressiveImage::noise() const {
+    viewer::FilmNoise noise;
+    visitFilm([&](std::size_t, std::span<const gpu::FilmPixel> pixels) { noise += viewer::noiseOf(pixels, samples()); });
+    return noise;
+}
+
+std::vector<gpu::FilmPixel> ProgressiveImage::film() const {
+    std::vector<gpu::FilmPixel> pixels(region_.pixels());
+    accumulate_.read(0, pixels);
+    return pixels;
+}
+
+gpu::FilmPixel ProgressiveImage::filmPixel(std::size_t index) const {
+    gpu::FilmPixel pixel;
+    accumulate_.read(index, {&pixel, 1});
+    return pixel;
 }
 
 double ProgressiveImage::roundProgress() const {

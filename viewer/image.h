@@ -2,8 +2,10 @@
 // An image that grows sample by sample: camera, light and size may change in between, and what does not depend on them
 // stays on the device. Stills and the window are made by this one path.
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -62,15 +64,26 @@ public:
     int samples() const { return sampling_.samplesIn(round_); }
     /// Whether the film has all samples of the scene, or as little noise as it asks for.
     bool isComplete() const { return round_ >= mostRounds() || isQuiet_; }
-    viewer::FilmNoise noise() const { return viewer::noiseOf(film(), samples()); }
+    viewer::FilmNoise noise() const;
     /// Share of the round under way that is done, 0 to 1.
     double roundProgress() const;
 
     const viewer::Tile& region() const { return region_; }
     const glm::ivec2& frameSize() const { return batch_.view.imageSize; }
-    std::vector<gpu::FilmPixel> film() const { return accumulate_.film(region_.pixels()); }
-    /// One pixel of the region, counted row after row.
-    gpu::FilmPixel filmPixel(std::size_t index) const { return accumulate_.pixel(index); }
+    std::vector<gpu::FilmPixel> film() const;
+    /// Calls visit(first, pixels) with the region's pixels, counted row after row, part after part.
+    template <class Visit>
+    void visitFilm(const Visit& visit) const {
+        constexpr std::size_t kPixelsAtATime = 1u << 14;
+        std::vector<gpu::FilmPixel> part(std::min(kPixelsAtATime, region_.pixels()));
+        for (std::size_t first = 0; first < region_.pixels(); first += part.size()) {
+            const auto pixels = std::span(part).first(std::min(part.size(), region_.pixels() - first));
+            accumulate_.read(first, pixels);
+            visit(first, std::span<const gpu::FilmPixel>(pixels));
+        }
+    }
+    /// One pixel of the region.
+    gpu::FilmPixel filmPixel(std::size_t index) const;
     /// Tone-mapped, sRGB-encoded values of the region.
     std::vector<glm::vec4> display();
     /// The region as a texture of its size. `compared`: an image with the same region, for the look that shows the difference.

@@ -10,13 +10,8 @@ namespace eikonal::viewer {
 
 namespace {
 
-// Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included; a vector of
-// eight rays has one count, and in the worst case they take their turns one after the other.
-constexpr std::uint32_t kIterationsPerDispatch = 65535 / 8;
 constexpr std::uint32_t kMirrorCorrections = 2;     // of shaders/physics/mirror.glsl
 constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
-// Rays of a vector that have come to their ends wait for the others to the slice's end, for captured ones each time.
-constexpr std::uint32_t kMostStepsPerSlice = 192;
 constexpr std::uint32_t kLeastEvaluations = 4096;
 constexpr double kDiagonals = 8.0;
 // Between looks at whether a ray is under way still, for which the device is waited for. Most rays pass a ball in four.
@@ -104,7 +99,7 @@ std::vector<std::string> withSteps(std::vector<std::string> defines, const March
 
 March::March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
              const Lattice& lattice)
-    : defines_(defines), settings_(settings), lattice_(lattice),
+    : defines_(defines), settings_(settings), lattice_(lattice), portions_(portionsFor(context.limits())),
       onward_(context, stepsFreely(defines, settings) ? "viewer/march_freely.comp.glsl" : "viewer/march_on.comp.glsl",
               withSteps(defines, settings)) {
     if (!stepsFreely(defines, settings)) first_.emplace(context, "viewer/march.comp.glsl", withSteps(defines, settings));
@@ -114,14 +109,15 @@ March::March(const gpu::Context& context, const std::vector<std::string>& define
 void March::setInsets(const InsetBounds& insets) {
     settings_.insets = insets;
     maxEvaluations_ = evaluationLimit(settings_, lattice_);
-    const std::uint32_t finished = kIterationsPerDispatch / iterationsPerStep(defines_, settings_);
-    stepsPerSlice_ = settings_.stepsPerSlice > 0 ? settings_.stepsPerSlice : std::clamp(finished, 1u, kMostStepsPerSlice);
+    const std::uint32_t finished = portions_.loopsOfSlice / iterationsPerStep(defines_, settings_);
+    stepsPerSlice_ = settings_.stepsPerSlice > 0 ? settings_.stepsPerSlice : std::clamp(finished, 1u, portions_.stepsOfSlice);
 }
 
 void March::configure(gpu::ViewBlock& view) const {
     view.stepLength = float(settings_.stepVoxels * lattice_.voxel);
     view.maxEvaluations = maxEvaluations_;
     view.stepsPerSlice = stepsPerSlice_;
+    view.fewRays = portions_.fewRays;
 }
 
 void March::run(RayBatch& batch) const {

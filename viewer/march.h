@@ -11,6 +11,7 @@
 #include "common/inset_bricks.h"
 #include "common/lattice.h"
 #include "common/scene.h"
+#include "viewer/portions.h"
 #include "viewer/ray_batch.h"
 
 namespace eikonal::viewer {
@@ -46,6 +47,7 @@ private:
     std::vector<std::string> defines_;
     MarchSettings settings_;
     Lattice lattice_;
+    Portions portions_;
     std::uint32_t maxEvaluations_ = 0;
     std::uint32_t stepsPerSlice_ = 0;
     std::optional<gpu::Kernel> first_;  ///< none where `onward_` takes the first slice too

@@ -23,6 +23,13 @@ public:
         filled_.bindStorage(gpu::kStorageFilledRays);
     }
     void clearFilled() { clear(filled_); }
+    /// To be filled by a kernel of so many workgroups whose invocations have places of their own, which may stay empty.
+    void fillByGroups(gpu::uint groups) {
+        const gpu::uint places = groups * gpu::kRaysPerGroup;
+        filled_.grow(bytesFor(places));
+        filled_.upload(gpu::RayListHead{{groups, 1, 1}, places});
+        bind();
+    }
     /// The list that was filled is taken next, and the other filled from the start.
     void swap() {
         std::swap(taken_, filled_);
@@ -31,7 +38,7 @@ public:
     }
     /// Dispatches a kernel over the rays that are taken.
     void dispatch(const gpu::Kernel& kernel) const { kernel.dispatchIndirect(taken_, 0); }
-    /// Waits for the device.
+    /// Places, empty ones included. Waits for the device.
     gpu::uint filledCount() const {
         gpu::RayListHead head{};
         filled_.downloadBytes(0, &head, sizeof head);
@@ -41,6 +48,7 @@ public:
     std::vector<gpu::uint> filledRays() const {
         std::vector<gpu::uint> rays(filledCount());
         filled_.downloadBytes(sizeof(gpu::RayListHead), rays.data(), rays.size() * sizeof(gpu::uint));
+        std::erase(rays, gpu::kNoEntry);
         for (gpu::uint& ray : rays) ray &= ~gpu::kIsPlain;
         return rays;
     }

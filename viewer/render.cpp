@@ -26,18 +26,23 @@ std::array<float, kChannelNames.size()> channelValues(const gpu::FilmPixel& p) {
             p.normal.x,     p.normal.y,     p.normal.z};
 }
 
-void collectRegion(ProgressiveImage& image, RenderResult& result) {
+/// The region's pixels into the picture; their noise.
+viewer::FilmNoise collectRegion(ProgressiveImage& image, RenderResult& result) {
     const Tile& tile = image.region();
-    const auto film = image.film();
     const auto display = image.display();
-    for (std::size_t i = 0; i < film.size(); ++i) {
-        const int x = tile.origin.x + int(i) % tile.size.x;
-        const int y = tile.origin.y + int(i) / tile.size.x;
-        const std::size_t target = std::size_t(y) * std::size_t(result.size.x) + std::size_t(x);
-        const auto values = channelValues(film[i]);
-        for (std::size_t c = 0; c < values.size(); ++c) result.channels[c].values[target] = values[c];
-        result.display[target] = glm::vec3(display[i]);
-    }
+    viewer::FilmNoise noise;
+    image.visitFilm([&](std::size_t first, std::span<const gpu::FilmPixel> pixels) {
+        noise += viewer::noiseOf(pixels, image.samples());
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const int x = tile.origin.x + int(first + i) % tile.size.x;
+            const int y = tile.origin.y + int(first + i) / tile.size.x;
+            const std::size_t target = std::size_t(y) * std::size_t(result.size.x) + std::size_t(x);
+            const auto values = channelValues(pixels[i]);
+            for (std::size_t c = 0; c < values.size(); ++c) result.channels[c].values[target] = values[c];
+            result.display[target] = glm::vec3(display[first + i]);
+        }
+    });
+    return noise;
 }
 
 /// Noise is met over all pixels of a region, so where it is asked for regions are as large as a film may be on every device.
@@ -84,9 +89,10 @@ glm::vec3 RenderResult::radiance(int x, int y) const {
 RenderResult renderScene(const gpu::Context& context, const Scene& scene, const Fields& fields,
                          const EffectSet& effects, const BakedLight* bake, const RenderOptions& options) {
     const auto start = Clock::now();
-    const auto regions = viewer::tilesOf(scene.render.size, options.tileRays);
     RenderOptions imageOptions = options;
-    imageOptions.tileRays = regions.empty() ? 0 : regions.front().pixels();
+    if (imageOptions.tileRays == 0) imageOptions.tileRays = viewer::portionsFor(context.limits()).rays;
+    const auto regions = viewer::tilesOf(scene.render.size, imageOptions.tileRays);
+    if (!regions.empty()) imageOptions.tileRays = regions.front().pixels();
     ProgressiveImage image(context, scene, fields, effects, bake, imageOptions);
     const double setupSeconds = secondsSince(start);
     RenderResult result = renderFrame(image, scene.render, options.progress);
@@ -113,8 +119,7 @@ RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings
         }
         pixelsDone += double(region.pixels());
         result.statistics.samples += image.samples() * double(region.pixels()) / pixels;
-        noise += image.noise();
-        collectRegion(image, result);
+        noise += collectRegion(image, result);
     }
     result.statistics.noise = noise.relative();
     return result;

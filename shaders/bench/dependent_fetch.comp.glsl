@@ -11,10 +11,11 @@ layout(local_size_x = kRaysPerGroup) in;
 const float kNearlyNothing = 1e-12;
 
 void main() {
-    if (!isListed()) {
+    uint entry = listedEntry();
+    if (entry == kNoEntry) {
         return;
     }
-    uint index = listedEntry() & ~kIsPlain;
+    uint index = entry & ~kIsPlain;
     RayState ray = loadRay(index);
     vec3 x = (ray.x - domain.min) * domain.scale;
     vec3 step = unitDirection(ray) * view.stepLength * domain.scale;

@@ -45,6 +45,7 @@ const uint kNoRay = 6u;       // a place for a reflection's ray that is free
 // Set in an entry of a list, beside the ray's index: nothing happens to the ray in its next step that is known yet. Without it
 // that step has been looked at, and needs care.
 const uint kIsPlain = 0x80000000u;
+const uint kNoEntry = 0xffffffffu;  // a place of a list without a ray, or no place at all
 
 // In place of a band's channel: the pass at the reference wavelength.
 const uint kAllChannels = 3u;
@@ -143,9 +144,9 @@ struct ViewBlock {
     float halfWeight;         // of this sample in the mean of those in the first half so far, 0 if it is in the other
     uint lensHalf;            // the half that it is in
     float sampleShare;        // of each of the samples that the scene asks for
+    uint fewRays;             // so many go on from event to event in a slice
     float padA;
     float padB;
-    float padC;
 };
 
 #ifdef __cplusplus
@@ -176,5 +177,5 @@ ViewBlock view = ViewBlock(
     viewGiven.ambient, viewGiven.contentMin, viewGiven.negligibleGradient, viewGiven.contentMax,
     viewGiven.dispersedAtStart, viewGiven.bandToRgb, viewGiven.bandChannel, viewGiven.mostGenerations,
     viewGiven.leastReflected, viewGiven.lensSequence, viewGiven.lensRadius, viewGiven.focusDistance,
-    viewGiven.halfWeight, viewGiven.lensHalf, viewGiven.sampleShare, 0.0, 0.0, 0.0);
+    viewGiven.halfWeight, viewGiven.lensHalf, viewGiven.sampleShare, viewGiven.fewRays, 0.0, 0.0);
 #endif

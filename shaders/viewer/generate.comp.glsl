@@ -105,5 +105,5 @@ uint generateRay(uint index) {
 void main() {
     uint index = rayToBegin();
     bool generates = index != kNoRayToBegin && isFollowed(loadRay(index));
-    listRay(generates ? generateRay(index) : kNoEntry);
+    listAtOwnPlace(generates ? generateRay(index) : kNoEntry);
 }

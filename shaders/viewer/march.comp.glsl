@@ -12,5 +12,6 @@ uint march(uint entry) {
 }
 
 void main() {
-    listRay(isListed() ? march(listedEntry()) : kNoEntry);
+    uint entry = listedEntry();
+    listRay(entry == kNoEntry ? kNoEntry : march(entry));
 }

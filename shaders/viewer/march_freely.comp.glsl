@@ -19,8 +19,8 @@ uint placeInList(uint which) {
 
 Course courseAt(uint place) {
     Course course;
-    bool isListed = place < takenHead.count;
-    course.entry = isListed ? takenRays[place] : kNoEntry;
+    course.entry = entryAt(place);
+    bool isListed = course.entry != kNoEntry;
     course.ray = loadRay(isListed ? course.entry & ~kIsPlain : 0u);
     if (!isListed) {
         course.ray.status = kMissed;

@@ -1,16 +1,14 @@
 // Every slice but the first of rays through the domain: the step in which something happens, and a stretch up to the next one.
+// Rays that do not fill the device go on from event to event, for nothing is won by listing them anew.
 #include "viewer/stretch.glsl"
 #include "viewer/event.glsl"
-
-// So many rays do not fill a device. They go on from event to event, for nothing is won by listing them anew.
-const uint kFewRays = 1024u;
 
 uint marchOn(uint entry) {
     rayIndex = entry & ~kIsPlain;
     RayState ray = loadRay(rayIndex);
     loadBoundary();
     bool eventful = entry == rayIndex;
-    bool goesOn = takenHead.count <= kFewRays;
+    bool goesOn = takenHead.count <= view.fewRays;
     uint left = view.stepsPerSlice;
     do {
         if (eventful) {
@@ -23,5 +21,6 @@ uint marchOn(uint entry) {
 }
 
 void main() {
-    listRay(isListed() ? marchOn(listedEntry()) : kNoEntry);
+    uint entry = listedEntry();
+    listRay(entry == kNoEntry ? kNoEntry : marchOn(entry));
 }

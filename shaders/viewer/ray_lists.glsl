@@ -1,5 +1,6 @@
 // Lists of rays under way: a dispatch takes those of one list, so that its vectors hold none that have nothing to do, and fills the
-// other with those that are to go on.
+// other with those that are to go on. Rays that begin have the places that the picture's order gives them, which keeps vectors to
+// neighbouring pixels; where none begins the place is empty.
 #include "shared/view_blocks.h"
 
 layout(std430, binding = kStorageTakenRays) readonly buffer TakenRays {
@@ -10,9 +11,6 @@ layout(std430, binding = kStorageFilledRays) buffer FilledRays {
     RayListHead filledHead;
     uint filledRays[];
 };
-
-// What an invocation says that lists no ray.
-const uint kNoEntry = 0xffffffffu;
 
 shared uint listedOfGroup;  // entries
 shared uint placeOfGroup;   // of the first one
@@ -54,11 +52,16 @@ void listRay(uint entry) {
 }
 #endif
 
-// Whether there is a ray on the list for this invocation, and which.
-bool isListed() {
-    return gl_GlobalInvocationID.x < takenHead.count;
+// In place of listRay where every invocation has a place of its own; the head is filled beforehand.
+void listAtOwnPlace(uint entry) {
+    filledRays[gl_GlobalInvocationID.x] = entry;
 }
 
+uint entryAt(uint place) {
+    return place < takenHead.count ? takenRays[place] : kNoEntry;
+}
+
+// For this invocation.
 uint listedEntry() {
-    return takenRays[gl_GlobalInvocationID.x];
+    return entryAt(gl_GlobalInvocationID.x);
 }

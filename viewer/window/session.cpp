@@ -19,12 +19,6 @@ constexpr double kCoarseCost = 0.5;    // of a fine ray
 
 constexpr double kNoLimit = 3600.0;  // seconds
 
-RenderOptions imageOptions() {
-    RenderOptions options;
-    options.tileRays = 1u << 16;
-    return options;
-}
-
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// The size with the same shape that has at most so many pixels.
@@ -38,7 +32,7 @@ glm::ivec2 limited(const glm::ivec2& size, std::size_t mostPixels) {
 
 Session::Session(const gpu::Context& context, const Scene& scene, const Fields& fields, const EffectSet& effects,
                  const BakedLight* light, double frameSeconds)
-    : context_(context), timer_(context), image_(context, scene, fields, effects, light, imageOptions()),
+    : context_(context), timer_(context), image_(context, scene, fields, effects, light, {}),
       governor_(frameSeconds, kCoarseCost), fineStep_(stepVoxelsOf(scene.accuracy)), samples_(scene.render.samples),
       mostPixels_(context.limits().maxStorageBlockBytes / sizeof(gpu::FilmPixel)) {
     image_.setTimer(&timer_);

@@ -1,0 +1,28 @@
+#pragma once
+// Into what portions the marching of a picture is divided.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "common/gpu/context.h"
+
+namespace eikonal::viewer {
+
+struct Portions {
+    std::size_t rays;            ///< under way at a time: bounds the memory
+    std::uint32_t stepsOfSlice;  ///< of one dispatch, at most
+    std::uint32_t loopsOfSlice;  ///< iterations that one invocation may go through
+    std::uint32_t fewRays;       ///< do not fill the device, and are not listed anew after each event
+};
+
+/// Mesa's software renderer ends loops silently after 65535 iterations of an invocation, nested loops included; a vector of
+/// eight rays has one count, and in the worst case they take their turns one after the other.
+inline constexpr std::uint32_t kLoopsOnProcessor = 65535 / 8;
+
+/// A vector of a processor waits for its last ray, so that rays that have ended are taken out soon. A GPU waits for the longest
+/// ray of every dispatch, however many go beside it.
+inline Portions portionsFor(const gpu::DeviceLimits& limits) {
+    return limits.isProcessor ? Portions{1u << 17, 192, kLoopsOnProcessor, 1024} : Portions{1u << 19, 4096, ~0u, 1u << 19};
+}
+
+} // namespace eikonal::viewer
