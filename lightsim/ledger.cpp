@@ -1,6 +1,8 @@
 #include "lightsim/ledger.h"
 
+#include <algorithm>
 #include <functional>
+#include <vector>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -45,25 +47,45 @@ void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger) {
 namespace {
 
 /// Values of a grid about a voxel, clamped at the faces.
-template <class Value>
-glm::dvec3 valueNear(const DenseGrid<Value>& grid, const glm::ivec3& voxel, const glm::ivec3& offset) {
+glm::dvec3 valueNear(const DenseGrid<glm::vec3>& grid, const glm::ivec3& voxel, const glm::ivec3& offset) {
     return glm::dvec3(grid.at(glm::clamp(voxel + offset, glm::ivec3(0), grid.size - 1)));
 }
 
-/// Mean of the trilinear interpolant over the cube of a voxel.
-glm::dvec3 cubeMean(const DenseGrid<glm::vec3>& grid, const glm::ivec3& voxel) {
-    constexpr double kWeights[3] = {0.125, 0.75, 0.125};
-    glm::dvec3 mean(0.0);
-    for (int i = 0; i < 27; ++i) {
-        const glm::ivec3 at(i % 3, i / 3 % 3, i / 9);
-        mean += kWeights[at.x] * kWeights[at.y] * kWeights[at.z] * valueNear(grid, voxel, at - 1);
-    }
-    return mean;
+/// Mean over a voxel's length of what is linear between its middle and its neighbours'.
+glm::dvec3 meanAlong(const glm::dvec3& before, const glm::dvec3& here, const glm::dvec3& after) {
+    return 0.125 * before + 0.75 * here + 0.125 * after;
 }
 
-/// Mean of the product over the cube of a voxel.
-glm::dvec3 meanProduct(const DenseGrid<glm::vec3>& sigma, const DenseGrid<glm::vec3>& irradiance, const glm::ivec3& voxel) {
-    glm::dvec3 product = cubeMean(sigma, voxel) * glm::dvec3(irradiance.at(voxel));
+/// Means of the trilinear interpolant over the cubes of a row of voxels along x.
+std::vector<glm::dvec3> cubeMeans(const DenseGrid<glm::vec3>& grid, int j, int k) {
+    const int last = grid.size.x - 1;
+    const auto rowAt = [&](int dj, int dk) {
+        return &grid.at({0, std::clamp(j + dj, 0, grid.size.y - 1), std::clamp(k + dk, 0, grid.size.z - 1)});
+    };
+    std::vector<glm::dvec3> across(grid.size.x), means(grid.size.x);
+    const glm::vec3* rows[3][3];
+    for (int at = 0; at < 9; ++at) {
+        rows[at / 3][at % 3] = rowAt(at % 3 - 1, at / 3 - 1);
+    }
+    const auto meanOfLayer = [&](const glm::vec3* const (&layer)[3], int i) {
+        return meanAlong(glm::dvec3(layer[0][i]), glm::dvec3(layer[1][i]), glm::dvec3(layer[2][i]));
+    };
+    for (int i = 0; i <= last; ++i) {
+        across[i] = meanAlong(meanOfLayer(rows[0], i), meanOfLayer(rows[1], i), meanOfLayer(rows[2], i));
+    }
+    for (int i = 0; i <= last; ++i) {
+        means[i] = meanAlong(across[std::max(i - 1, 0)], across[i], across[std::min(i + 1, last)]);
+    }
+    return means;
+}
+
+/// Mean over the cube of a voxel of the product with what has the mean `sigmaMean` there.
+glm::dvec3 meanProduct(const glm::dvec3& sigmaMean, const DenseGrid<glm::vec3>& sigma, const DenseGrid<glm::vec3>& irradiance,
+                       const glm::ivec3& voxel) {
+    if (sigmaMean == glm::dvec3(0.0)) {
+        return glm::dvec3(0.0);
+    }
+    glm::dvec3 product = sigmaMean * glm::dvec3(irradiance.at(voxel));
     for (int axis = 0; axis < 3; ++axis) {
         glm::ivec3 next(0);
         next[axis] = 1;
@@ -78,11 +100,12 @@ glm::dvec3 integral(const DenseGrid<glm::vec3>& sigma, const Fields& fields, Vox
     const auto ofLayers = [&](const tbb::blocked_range<int>& layers, glm::dvec3 sum) {
         for (int k = layers.begin(); k < layers.end(); ++k) {
             for (int j = 0; j < sigma.size.y; ++j) {
+                const auto means = mean == VoxelMean::kCube ? cubeMeans(sigma, j, k) : std::vector<glm::dvec3>();
                 for (int i = 0; i < sigma.size.x; ++i) {
                     const glm::ivec3 voxel(i, j, k);
                     const double freeShare = fields.opaque.empty() ? 1.0 : 1.0 - fields.opaque.at(voxel);
                     sum += freeShare * (mean == VoxelMean::kCube
-                                            ? meanProduct(sigma, light.irradiance, voxel)
+                                            ? meanProduct(means[i], sigma, light.irradiance, voxel)
                                             : glm::dvec3(sigma.at(voxel)) * glm::dvec3(light.irradiance.at(voxel)));
                 }
             }

@@ -5,6 +5,13 @@
 
 namespace eikonal::bake {
 
+namespace {
+
+/// Whether a node lies at the higher coordinate of one of its sides: v0, u1, v1, u0.
+constexpr bool isHigherThanSide(int side) { return side == 0 || side == 3; }
+
+} // namespace
+
 std::size_t LaunchMesh::PlaceHash::operator()(const glm::uvec3& key) const {
     std::uint64_t hash = key.x * 0x9E3779B97F4A7C15ull;
     hash = (hash ^ (hash >> 29) ^ key.y) * 0xBF58476D1CE4E5B9ull;
@@ -41,8 +48,14 @@ std::uint32_t LaunchMesh::addMiddle(std::uint32_t a, std::uint32_t b) {
 std::uint32_t LaunchMesh::addEdge(std::uint32_t a, std::uint32_t b, std::uint32_t middle, std::uint32_t parent, bool isLive) {
     const std::uint32_t index = std::uint32_t(edges.size());
     vertices[middle].edge = index;
-    edges.push_back({{a, b}, parent, {kNone, kNone}, middle, isLive});
+    edges.push_back({{a, b}, parent, {kNone, kNone}, middle, {kNone, kNone}, isLive});
     return index;
+}
+
+void LaunchMesh::standBeside(std::uint32_t node, const std::uint32_t (&sides)[4]) {
+    for (int side = 0; side < 4; ++side) {
+        edges[sides[side]].leaves[isHigherThanSide(side)] = node;
+    }
 }
 
 std::uint32_t LaunchMesh::addNode(const std::uint32_t (&corners)[4], const std::uint32_t (&sides)[4], std::uint32_t root,
@@ -55,8 +68,10 @@ std::uint32_t LaunchMesh::addNode(const std::uint32_t (&corners)[4], const std::
     const glm::uvec2 place(vertices[middle(0)].place.x, vertices[middle(1)].place.y);
     // in the sub-cells of the node that it came from, its centre lies between the sides that this one was cut to
     node.centre = halvedAlongU ? addVertex(place, middle(3), middle(1)) : addVertex(place, middle(0), middle(2));
+    const std::uint32_t index = std::uint32_t(nodes.size());
     nodes.push_back(node);
-    return std::uint32_t(nodes.size() - 1);
+    standBeside(index, sides);
+    return index;
 }
 
 std::uint32_t LaunchMesh::addCell(std::uint32_t frameIndex, const LaunchFrame& frame, std::uint32_t cell) {
@@ -140,22 +155,40 @@ void LaunchMesh::halve(std::uint32_t index, bool alongU) {
                                        : addNode({c[0], c[1], n, m}, {e[0], parts[2], across, parts[0]}, node.root, false);
     const std::uint32_t second = alongU ? addNode({m, c[1], c[2], n}, {parts[1], e[1], parts[3], across}, node.root, true)
                                         : addNode({m, n, c[2], c[3]}, {across, parts[3], e[2], parts[1]}, node.root, false);
+    for (const int side : cut) {
+        edges[e[side]].leaves[isHigherThanSide(side)] = kNone;
+    }
     nodes[index].children[0] = first;
     nodes[index].children[1] = second;
 }
 
-std::uint32_t LaunchMesh::refine(std::uint32_t capacity, std::vector<std::uint32_t>& liveEdges) {
+std::vector<std::uint32_t> LaunchMesh::leavesConcerned(std::span<const std::uint32_t> measuredEdges,
+                                                       std::span<const std::uint32_t> measuredNodes) const {
+    std::vector<std::uint32_t> concerned(measuredNodes.begin(), measuredNodes.end());
+    for (const std::uint32_t edge : measuredEdges) {
+        if (edges[edge].strong != 0) {
+            concerned.insert(concerned.end(), std::begin(edges[edge].leaves), std::end(edges[edge].leaves));
+        }
+    }
+    std::erase_if(concerned, [&](std::uint32_t node) { return node == kNone || !nodes[node].isLeaf(); });
+    std::sort(concerned.begin(), concerned.end());
+    concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+    return concerned;
+}
+
+std::uint32_t LaunchMesh::refine(std::uint32_t capacity, std::span<const std::uint32_t> measuredEdges,
+                                 std::span<const std::uint32_t> measuredNodes, std::vector<std::uint32_t>& liveEdges) {
     constexpr std::uint32_t kMostNewVertices = 9;  // of a halving
     const std::uint32_t firstEdge = std::uint32_t(edges.size());
     const std::uint32_t firstNode = std::uint32_t(nodes.size());
-    for (std::uint32_t edge = 0; edge < firstEdge; ++edge) {
+    for (const std::uint32_t edge : measuredEdges) {
         if (edges[edge].strong != 0) {
             wake(edge, liveEdges);
         }
     }
-    for (std::uint32_t node = 0; node < firstNode; ++node) {
+    for (const std::uint32_t node : leavesConcerned(measuredEdges, measuredNodes)) {
         bool alongU = false;
-        if (!nodes[node].isLeaf() || !wantsHalving(nodes[node], alongU)) {
+        if (!wantsHalving(nodes[node], alongU)) {
             continue;
         }
         if (vertices.size() + kMostNewVertices > capacity) {

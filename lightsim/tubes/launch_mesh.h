@@ -9,6 +9,7 @@
 // deposited whole at those steps at which nothing in it is off.
 
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct MeshEdge {
     std::uint32_t parent = kNone;
     std::uint32_t children[2] = {kNone, kNone};
     std::uint32_t middle = kNone;
+    std::uint32_t leaves[2] = {kNone, kNone};  ///< that have it as a whole side: at the lower, at the higher coordinate
     bool isLive;           ///< its middle is a ray, and measured
     Samples strong = 0;    ///< the middle is off, with power that matters
     Samples weak = 0;      ///< the same, with less power
@@ -68,9 +70,11 @@ public:
     void beginWindow();
     /// The vertex is traced from now on.
     void makeRay(std::uint32_t vertex);
-    /// Halves every leaf that has something strong, once; returns the first of the new nodes, which are last. Edges that
-    /// have become live are appended to `liveEdges`. With `capacity` vertices no more leaves are halved.
-    std::uint32_t refine(std::uint32_t capacity, std::vector<std::uint32_t>& liveEdges);
+    /// Halves every leaf that has something strong, once; returns the first of the new nodes, which are last. What has been
+    /// measured since the last time: edges, and nodes, all new ones among them. Edges that have become live are appended to
+    /// `liveEdges`. With `capacity` vertices no more leaves are halved.
+    std::uint32_t refine(std::uint32_t capacity, std::span<const std::uint32_t> measuredEdges,
+                         std::span<const std::uint32_t> measuredNodes, std::vector<std::uint32_t>& liveEdges);
     std::uint32_t refusedHalvings() const { return refused_; }
     /// From the measurements of the window: where edges are split and nodes are fine.
     void settle();
@@ -119,6 +123,10 @@ private:
     void halveEdge(std::uint32_t edge);
     void wake(std::uint32_t edge, std::vector<std::uint32_t>& liveEdges);
     bool wantsHalving(const MeshNode& node, bool& alongU) const;
+    /// Leaves that what was measured may want to be halved, in their order.
+    std::vector<std::uint32_t> leavesConcerned(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> nodes) const;
+    /// The node takes the place of the one that it is a half of, or none: beside its sides.
+    void standBeside(std::uint32_t node, const std::uint32_t (&sides)[4]);
     void halve(std::uint32_t node, bool alongU);
     bool canHalve(std::uint32_t edge) const;
 

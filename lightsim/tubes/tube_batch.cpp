@@ -76,14 +76,14 @@ bool TubeBatch::markAlive(std::uint32_t index) {
 
 void TubeBatch::placeNew() {
     kernels_.makeRoomFor(mesh_.vertices.size());
-    std::vector<TubeVertex> vertices(mesh_.vertices.size() - placedVertices_);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const MeshVertex& vertex = mesh_.vertices[placedVertices_ + i];
-        vertices[i].launch = LaunchMesh::launchOf(vertex, grids_.frames[vertex.frame]);
-        vertices[i].frameIndex = vertex.frame;
-        vertices[i].stepCount = TUBE_NOT_LAUNCHED;
+    std::vector<TubePlacement> vertices;
+    for (std::uint32_t i = placedVertices_; i < mesh_.vertices.size(); ++i) {
+        const MeshVertex& vertex = mesh_.vertices[i];
+        vertices.push_back({LaunchMesh::launchOf(vertex, grids_.frames[vertex.frame]), vertex.frame, i});
     }
-    kernels_.place(placedVertices_, vertices);
+    if (!vertices.empty()) {
+        kernels_.place(vertices);
+    }
     std::vector<TubeNode> nodes(mesh_.nodes.size() - placedNodes_);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         mesh_.verticesOf(std::uint32_t(placedNodes_ + i), nodes[i].vertices);
@@ -122,8 +122,9 @@ bool TubeBatch::refine() {
     }
     while (!edges.empty() || !nodes.empty()) {
         measure(edges, nodes);
-        edges.clear();
-        const std::uint32_t firstNode = mesh_.refine(capacity_, edges);
+        std::vector<std::uint32_t> liveEdges;
+        const std::uint32_t firstNode = mesh_.refine(capacity_, edges, nodes, liveEdges);
+        edges = std::move(liveEdges);
         if (mesh_.refusedHalvings() > 0 && rootCount_ > 1) {
             return false;
         }

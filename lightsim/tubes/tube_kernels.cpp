@@ -64,7 +64,7 @@ TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::str
       tubeBlock_(context, sizeof(TubeSettings), "tube settings"),
       positions_(context, 0, "tube positions"), shares_(context, 0, "tube shares", wordsPerShare(defines, followsReflections)),
       cells_(context, 0, "tube cells"),
-      trace_(context, "lightsim/tubes/trace.comp.glsl", defines_),
+      place_(context, "lightsim/tubes/place.comp.glsl", defines_), trace_(context, "lightsim/tubes/trace.comp.glsl", defines_),
       measureEdges_(context, "lightsim/tubes/measure_edges.comp.glsl", defines_),
       measureNodes_(context, "lightsim/tubes/measure_nodes.comp.glsl", defines_),
       conform_(context, "lightsim/tubes/conform.comp.glsl", defines_),
@@ -159,8 +159,10 @@ void TubeKernels::makeRoomFor(std::size_t vertexCount) {
     shares_.grow(room * TUBE_SAMPLES * std::size_t(wordsPerShare(defines_, followsReflections_)) * sizeof(float));
 }
 
-void TubeKernels::place(std::uint32_t first, std::span<const TubeVertex> vertices) {
-    vertices_.uploadBytes(first * sizeof(TubeVertex), vertices.data(), vertices.size_bytes());
+void TubeKernels::place(std::span<const TubePlacement> vertices) {
+    uploadItems(vertices);
+    bindTracks();
+    run(place_, vertices.size());
 }
 
 void TubeKernels::placeNodes(std::uint32_t first, std::span<const TubeNode> nodes) {

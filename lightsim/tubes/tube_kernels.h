@@ -40,8 +40,8 @@ public:
 
     /// For the vertices of a mesh, and as many nodes and edges as they can have.
     void makeRoomFor(std::size_t vertexCount);
-    /// Uploads vertices, not launched yet, from number `first` on.
-    void place(std::uint32_t first, std::span<const TubeVertex> vertices);
+    /// New vertices, not launched yet.
+    void place(std::span<const TubePlacement> vertices);
     void placeNodes(std::uint32_t first, std::span<const TubeNode> nodes);
     void trace(std::span<const std::uint32_t> vertices);
     struct Measures {
@@ -103,7 +103,7 @@ private:
     gpu::Buffer vertices_, frames_, nodes_, items_, presences_, edgeMeasures_, nodeMeasures_, reflections_, parts_,
         freeSamples_, ledger_, settingsBlock_, tubeBlock_;
     gpu::RowBuffer positions_, shares_, cells_;
-    gpu::Kernel trace_, measureEdges_, measureNodes_, conform_, sortCells_, smoothCells_, sortParts_, tally_;
+    gpu::Kernel place_, trace_, measureEdges_, measureNodes_, conform_, sortCells_, smoothCells_, sortParts_, tally_;
     std::optional<gpu::Kernel> countFreeSamples_;  ///< where there is opaque matter
     DepositKernels intoSums_;
     std::optional<DepositKernels> intoLobes_;  ///< compiled where they are first needed

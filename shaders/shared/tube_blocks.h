@@ -41,6 +41,13 @@ struct TubeVertex {
     uint stepCount;  // steps since launch, or TUBE_NOT_LAUNCHED
 };
 
+// A vertex that is new.
+struct TubePlacement {
+    vec2 launch;
+    uint frameIndex;
+    uint vertex;
+};
+
 // What a vertex's track did in the window.
 struct TubePresence {
     uvec2 near;       // steps that begin or end near the domain
@@ -163,7 +170,8 @@ struct TubeSettings {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(TubeVertex) == 208 && sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
+static_assert(sizeof(TubeVertex) == 208 && sizeof(TubePlacement) == 16);
+static_assert(sizeof(TubePresence) == 32 && sizeof(TubeEdge) == 16);
 static_assert(sizeof(TubeReflections) == 64 && TUBE_CROSSINGS <= 1u << TUBE_MIRROR_BITS);
 static_assert(TUBE_MAX_MIRRORS * TUBE_MIRROR_BITS <= 32);
 static_assert(sizeof(TubeNode) == 64 && offsetof(TubeNode, launchShare) == 48);

@@ -1,4 +1,7 @@
 // Ray tubes: closed forms inside gradients, and a launch mesh without gaps.
+#include <numeric>
+#include <vector>
+
 #include "lightsim/tubes/launch_mesh.h"
 #include "tests/lightsim/bake_scenes.h"
 
@@ -60,7 +63,10 @@ void refineAbout(bake::LaunchMesh& mesh, const glm::uvec2& place, int times) {
             const bool near = std::max(offset.x, offset.y) < 0.5 * length;
             edge.strong = edge.isLive && near ? 2u : 0u;
         }
-        mesh.refine(100000, live);
+        std::vector<std::uint32_t> edges(mesh.edges.size()), nodes(mesh.nodes.size());
+        std::iota(edges.begin(), edges.end(), 0u);
+        std::iota(nodes.begin(), nodes.end(), 0u);
+        mesh.refine(100000, edges, nodes, live);
     }
     mesh.settle();
 }
