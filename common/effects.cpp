@@ -11,9 +11,17 @@
 namespace eikonal {
 namespace {
 
-constexpr std::array<std::string_view, 10> kEffectNames{"refraction", "absorption", "scattering", "emission",
-                                                        "reflection", "tint",       "roughness",  "dispersion",
-                                                        "opaque",     "environment"};
+/// Whether a scene calls for an effect, why, and with which grids.
+struct Answer {
+    bool on = false;
+    std::string why;
+    std::vector<std::string> grids{};
+};
+
+template <class Value>
+std::size_t bytesOf(const DenseGrid<Value>& grid) {
+    return grid.values.size() * sizeof(Value);
+}
 
 bool anyInset(const Fields& fields, int quantity) {
     return std::any_of(fields.insets.begin(), fields.insets.end(),
@@ -38,17 +46,17 @@ std::pair<float, float> indexRange(const Fields& fields) {
     return range;
 }
 
-EffectDecision decideRefraction(const Fields& fields) {
+Answer decideRefraction(const Scene&, const Fields& fields) {
     const auto [low, high] = indexRange(fields);
     if (fields.iorGradient.empty() && (low == high || !anyInset(fields, gpu::kInsetCoverage)))
-        return {Effect::kRefraction, false, fmt::format("the index is {} everywhere", fields.iorUniform), {}};
-    return {Effect::kRefraction, true, fmt::format("the index varies from {:.4g} to {:.4g}", low, high), {"ior"}};
+        return {false, fmt::format("the index is {} everywhere", fields.iorUniform)};
+    return {true, fmt::format("the index varies from {:.4g} to {:.4g}", low, high), {"ior"}};
 }
 
-EffectDecision decideByGrid(Effect effect, bool present, const std::string& matter, std::vector<std::string> grids) {
+Answer decideByMatter(bool present, const std::string& does, std::vector<std::string> grids) {
     if (!present)
-        return {effect, false, "nothing " + matter, {}};
-    return {effect, true, "something " + matter, std::move(grids)};
+        return {false, "nothing " + does};
+    return {true, "something " + does, std::move(grids)};
 }
 
 std::size_t marked(const DenseGrid<unsigned char>& band) {
@@ -82,39 +90,92 @@ bool isRough(const Fields& fields) {
     return !fields.roughness.empty() || anySurface(fields, [](const glm::vec4& surface) { return surface.w > 0.0f; });
 }
 
-EffectDecision decideReflection(const Scene& scene, const Fields& fields) {
+Answer decideReflection(const Scene& scene, const Fields& fields) {
     const std::size_t band = boundaryVoxels(fields);
     if (band == 0)
-        return {Effect::kReflection, false, "no boundary changes the index", {}};
+        return {false, "no boundary changes the index"};
     const int generations = scene.accuracy.reflections;
     const std::string followed = generations > 0 ? fmt::format("; followed for {} generations", generations) : "";
-    return {Effect::kReflection, true, fmt::format("boundaries that change the index fill {} voxels{}", band, followed),
-            {"interface"}};
+    return {true, fmt::format("boundaries that change the index fill {} voxels{}", band, followed), {"interface"}};
 }
 
-EffectDecision decideDispersion(const Scene& scene, const Fields& fields) {
+Answer decideDispersion(const Scene& scene, const Fields& fields) {
     if (!isHeld(fields, fields.cauchyB, gpu::kInsetDispersion))
-        return {Effect::kDispersion, false, "no object has cauchy_b", {}};
+        return {false, "no object has cauchy_b"};
     const auto& grid = fields.cauchyB.values;
     float strongest = grid.empty() ? 0.0f : *std::max_element(grid.begin(), grid.end());
     for (const Inset& inset : fields.insets)
         strongest = std::max(strongest, inset.grids->quantities[gpu::kInsetDispersion].everywhere.w);
-    const std::string why = fmt::format("cauchy_b is up to {:.4g}; {} bands", strongest, scene.accuracy.bands);
-    return {Effect::kDispersion, true, why, {"cauchy_b"}};
+    return {true, fmt::format("cauchy_b is up to {:.4g}; {} bands", strongest, scene.accuracy.bands), {"cauchy_b"}};
 }
 
-EffectDecision decideEnvironment(const Scene& scene) {
+Answer decideEnvironment(const Scene& scene, const Fields&) {
     const std::string what = scene.environment.image ? scene.environment.image->generic_string() : "a gradient";
-    return {Effect::kEnvironment, true, "the background is " + what, {}};
+    return {true, "the background is " + what};
 }
 
-/// Switches an effect off that has nothing to act on without another.
-void applyDependence(EffectSet& set, Effect dependent, Effect on, const std::string& without) {
-    EffectDecision& decision = set.decisions[std::size_t(dependent)];
-    const EffectDecision& needed = set.decisions[std::size_t(on)];
-    if (decision.on && !needed.on) {
-        decision.on = false;
-        decision.why = without + ": " + needed.why;
+/// All that this program knows of an effect beside its shaders.
+struct EffectRow {
+    Effect effect;
+    std::string_view name;
+    Answer (*decide)(const Scene&, const Fields&);
+    std::size_t (*bytes)(const Fields&);  ///< of its grids on the domain's lattice
+    Effect needs;                         ///< to have something to act on; itself: nothing
+    std::string_view without{};           ///< what is missing then
+};
+
+/// In the order of the enumeration.
+constexpr std::array<EffectRow, 10> kEffects{{
+    {Effect::kRefraction, "refraction", decideRefraction,
+     [](const Fields& fields) { return bytesOf(fields.ior) + bytesOf(fields.iorGradient); }, Effect::kRefraction},
+    {Effect::kAbsorption, "absorption",
+     [](const Scene&, const Fields& fields) {
+         return decideByMatter(isHeld(fields, fields.sigmaA, gpu::kInsetAbsorption), "absorbs", {"absorption"});
+     },
+     [](const Fields& fields) { return bytesOf(fields.sigmaA); }, Effect::kAbsorption},
+    {Effect::kScattering, "scattering",
+     [](const Scene&, const Fields& fields) {
+         return decideByMatter(isHeld(fields, fields.sigmaS, gpu::kInsetScattering), "scatters", {"scattering", "anisotropy"});
+     },
+     [](const Fields& fields) { return bytesOf(fields.sigmaS) + bytesOf(fields.anisotropy); }, Effect::kScattering},
+    {Effect::kEmission, "emission",
+     [](const Scene&, const Fields& fields) {
+         return decideByMatter(isHeld(fields, fields.emission, gpu::kInsetEmission), "emits", {"emission"});
+     },
+     [](const Fields& fields) { return bytesOf(fields.emission); }, Effect::kEmission},
+    {Effect::kReflection, "reflection", decideReflection, [](const Fields& fields) { return bytesOf(fields.interface); },
+     Effect::kReflection},
+    {Effect::kTint, "tint",
+     [](const Scene&, const Fields& fields) {
+         return decideByMatter(isTinted(fields), "tints what it reflects", {"reflection_tint"});
+     },
+     [](const Fields& fields) { return bytesOf(fields.reflectionTint); }, Effect::kReflection, "nothing is reflected"},
+    {Effect::kRoughness, "roughness",
+     [](const Scene&, const Fields& fields) { return decideByMatter(isRough(fields), "has a rough surface", {"roughness"}); },
+     [](const Fields& fields) { return bytesOf(fields.roughness); }, Effect::kReflection, "nothing is reflected"},
+    {Effect::kDispersion, "dispersion", decideDispersion,
+     [](const Fields& fields) { return bytesOf(fields.cauchyB) + bytesOf(fields.cauchyGradient); }, Effect::kRefraction,
+     "nothing is refracted"},
+    {Effect::kOpaque, "opaque",
+     [](const Scene&, const Fields& fields) {
+         return decideByMatter(isHeld(fields, fields.opaque, gpu::kInsetOpaque), "is opaque", {"opaque", "albedo"});
+     },
+     [](const Fields& fields) { return bytesOf(fields.opaque) + bytesOf(fields.albedo); }, Effect::kOpaque},
+    {Effect::kEnvironment, "environment", decideEnvironment, [](const Fields&) { return std::size_t(0); }, Effect::kEnvironment},
+}};
+
+constexpr const EffectRow& rowOf(Effect effect) { return kEffects[std::size_t(effect)]; }
+
+static_assert(std::all_of(kEffects.begin(), kEffects.end(), [](const EffectRow& row) { return &row == &rowOf(row.effect); }));
+
+/// Switches effects off that have nothing to act on without another.
+void applyNeeds(EffectSet& set) {
+    for (EffectDecision& decision : set.decisions) {
+        const EffectRow& row = rowOf(decision.effect);
+        if (decision.on && !set.has(row.needs)) {
+            decision.on = false;
+            decision.why = fmt::format("{}: {}", row.without, set.decisions[std::size_t(row.needs)].why);
+        }
     }
 }
 
@@ -133,28 +194,18 @@ void applyAllowed(const Scene& scene, EffectSet& set) {
 
 } // namespace
 
-std::string_view effectName(Effect effect) { return kEffectNames[std::size_t(effect)]; }
+std::string_view effectName(Effect effect) { return rowOf(effect).name; }
+
+std::size_t gridBytesOf(Effect effect, const Fields& fields) { return rowOf(effect).bytes(fields); }
 
 EffectSet decideEffects(const Scene& scene, const Fields& fields) {
     EffectSet set;
-    const auto holds = [&](const auto& grid, int quantity) { return isHeld(fields, grid, quantity); };
-    set.decisions = {
-        decideRefraction(fields),
-        decideByGrid(Effect::kAbsorption, holds(fields.sigmaA, gpu::kInsetAbsorption), "absorbs", {"absorption"}),
-        decideByGrid(Effect::kScattering, holds(fields.sigmaS, gpu::kInsetScattering), "scatters",
-                     {"scattering", "anisotropy"}),
-        decideByGrid(Effect::kEmission, holds(fields.emission, gpu::kInsetEmission), "emits", {"emission"}),
-        decideReflection(scene, fields),
-        decideByGrid(Effect::kTint, isTinted(fields), "tints what it reflects", {"reflection_tint"}),
-        decideByGrid(Effect::kRoughness, isRough(fields), "has a rough surface", {"roughness"}),
-        decideDispersion(scene, fields),
-        decideByGrid(Effect::kOpaque, holds(fields.opaque, gpu::kInsetOpaque), "is opaque", {"opaque", "albedo"}),
-        decideEnvironment(scene),
-    };
+    for (const EffectRow& row : kEffects) {
+        Answer answer = row.decide(scene, fields);
+        set.decisions.push_back({row.effect, answer.on, std::move(answer.why), std::move(answer.grids)});
+    }
     applyAllowed(scene, set);
-    applyDependence(set, Effect::kDispersion, Effect::kRefraction, "nothing is refracted");
-    applyDependence(set, Effect::kTint, Effect::kReflection, "nothing is reflected");
-    applyDependence(set, Effect::kRoughness, Effect::kReflection, "nothing is reflected");
+    applyNeeds(set);
     return set;
 }
 

@@ -47,6 +47,9 @@ struct EffectSet {
 
 std::string_view effectName(Effect effect);
 
+/// Bytes in memory of the grids that an effect needs, on the domain's lattice.
+std::size_t gridBytesOf(Effect effect, const Fields& fields);
+
 EffectSet decideEffects(const Scene& scene, const Fields& fields);
 
 } // namespace eikonal

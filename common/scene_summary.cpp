@@ -11,27 +11,6 @@
 namespace eikonal {
 namespace {
 
-template <class Value>
-std::size_t bytesOf(const DenseGrid<Value>& grid) {
-    return grid.values.size() * sizeof(Value);
-}
-
-std::size_t bytesOf(Effect effect, const Fields& fields) {
-    switch (effect) {
-    case Effect::kRefraction: return bytesOf(fields.ior) + bytesOf(fields.iorGradient);
-    case Effect::kAbsorption: return bytesOf(fields.sigmaA);
-    case Effect::kScattering: return bytesOf(fields.sigmaS) + bytesOf(fields.anisotropy);
-    case Effect::kEmission: return bytesOf(fields.emission);
-    case Effect::kReflection: return bytesOf(fields.interface);
-    case Effect::kTint: return bytesOf(fields.reflectionTint);
-    case Effect::kRoughness: return bytesOf(fields.roughness);
-    case Effect::kOpaque: return bytesOf(fields.opaque) + bytesOf(fields.albedo);
-    case Effect::kDispersion: return bytesOf(fields.cauchyB) + bytesOf(fields.cauchyGradient);
-    case Effect::kEnvironment: return 0;
-    }
-    return 0;
-}
-
 nlohmann::json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 nlohmann::json latticeJson(const Lattice& lattice) {
@@ -53,17 +32,6 @@ nlohmann::json insetsJson(const Fields& fields) {
                         {"bytes", inset.grids->bytes()},
                         {"cut", reachesBeyond(inset, fields.lattice)}});
     }
-    return rows;
-}
-
-nlohmann::json effectsJson(const EffectSet& effects, const Fields& fields) {
-    nlohmann::json rows = nlohmann::json::array();
-    for (const EffectDecision& decision : effects.decisions)
-        rows.push_back({{"name", effectName(decision.effect)},
-                        {"on", decision.on},
-                        {"why", decision.why},
-                        {"grids", decision.grids},
-                        {"bytes", decision.on ? bytesOf(decision.effect, fields) : 0}});
     return rows;
 }
 
@@ -96,6 +64,17 @@ nlohmann::json costJson(const Scene& scene, const Fields& fields, const EffectSe
 
 } // namespace
 
+nlohmann::json effectRows(const EffectSet& effects, const Fields& fields) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const EffectDecision& decision : effects.decisions)
+        rows.push_back({{"name", effectName(decision.effect)},
+                        {"on", decision.on},
+                        {"why", decision.why},
+                        {"grids", decision.grids},
+                        {"bytes", decision.on ? gridBytesOf(decision.effect, fields) : 0}});
+    return rows;
+}
+
 nlohmann::json sceneSummary(const Scene& scene, const StageFields& stages) {
     const Fields& fields = *stages.image.fields;
     const EffectSet& effects = stages.image.effects;
@@ -103,12 +82,12 @@ nlohmann::json sceneSummary(const Scene& scene, const StageFields& stages) {
     for (const Inset& inset : fields.insets)
         memory += inset.grids->bytes();
     for (const EffectDecision& decision : effects.decisions)
-        memory += bytesOf(decision.effect, fields);
+        memory += gridBytesOf(decision.effect, fields);
     return {{"source", scene.source},
             {"hash", sceneHash(scene, *stages.light.fields)},
             {"lattice", latticeJson(fields.lattice)},
             {"insets", insetsJson(fields)},
-            {"effects", effectsJson(effects, fields)},
+            {"effects", effectRows(effects, fields)},
             {"memory_bytes", memory},
             {"objects", scene.objects.size()},
             {"lights", scene.lights.size()},

@@ -8,8 +8,11 @@
 
 namespace eikonal {
 
+/// [{"name", "on", "why", "grids", "bytes"}], of all effects; bytes as below.
+nlohmann::json effectRows(const EffectSet& effects, const Fields& fields);
+
 /// {"source", "hash", "lattice": {"min", "max", "voxel", "size", "voxels"},
-///  "insets": [{"name", "size", "voxel", "voxels", "bytes", "cut"}], "effects": [{"name", "on", "why", "grids", "bytes"}],
+///  "insets": [{"name", "size", "voxel", "voxels", "bytes", "cut"}], "effects": effectRows,
 ///  "memory_bytes", "objects", "lights",
 ///  "cost": {"image_rays", "image_steps", "bake_patch_steps"}}.
 /// Costs are estimates at the default step of one voxel: rays cross the domain along its longest side; patches are

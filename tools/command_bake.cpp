@@ -19,6 +19,7 @@
 #include "lightsim/front.h"
 #include "lightsim/per_light.h"
 #include "tools/bake_file.h"
+#include "tools/effect_table.h"
 #include "tools/frame_name.h"
 #include "tools/front_ply.h"
 #include "tools/scene_arguments.h"
@@ -80,10 +81,11 @@ void runFronts(const BakeArguments& arguments, const ProgramOptions& options) {
     Progress progress(options);
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
+    const EffectSet effects = decideEffects(scene, fields);
+    explainEffects(arguments.scene, effects, fields, progress);
     BakeOptions bakeOptions;
     bakeOptions.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
-    const auto patches =
-        frontsAt(context, scene, fields, decideEffects(scene, fields), arguments.wavefront, bakeOptions);
+    const auto patches = frontsAt(context, scene, fields, effects, arguments.wavefront, bakeOptions);
     progress.finish();
     writeFrontPly(arguments.output, patches);
     note(options, fmt::format("{}: {} patches of wavefronts", arguments.output, patches.size()));
@@ -120,6 +122,7 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     const Fields fields = composeFields(scene);
     requireVdbHolds(arguments.output, fields.lattice);
     const EffectSet effects = decideEffects(scene, fields);
+    explainEffects(arguments.scene, effects, fields, progress);
     const LightSet lights = lightsOf(scene, effects);
     BakeOptions bakeOptions;
     bakeOptions.eikonal = arguments.eikonal;
@@ -153,6 +156,7 @@ void addBakeCommand(CLI::App& program, const ProgramOptions& options) {
     CLI::App* command = program.add_subcommand("bake", "simulate a scene's light; write irradiance as a VDB");
     auto arguments = std::make_shared<BakeArguments>();
     addSceneArguments(*command, arguments->scene);
+    addExplainFlag(*command, arguments->scene);
     command->add_option("-o,--output", arguments->output, "VDB to write; with --wavefront a PLY")
         ->required()
         ->type_name("BAKE.vdb");

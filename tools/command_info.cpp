@@ -11,6 +11,7 @@
 #include "common/scene_summary.h"
 #include "common/stage_fields.h"
 #include "common/vdb_io.h"
+#include "tools/effect_table.h"
 #include "tools/scene_arguments.h"
 
 namespace eikonal {
@@ -97,10 +98,7 @@ void printScene(const json& summary) {
     const json& cost = summary["cost"];
     fmt::print("estimated cost: image {} rays and {:.3g} steps, bake {:.3g} patch steps\n", plain(cost["image_rays"]),
                cost["image_steps"].get<double>(), cost["bake_patch_steps"].get<double>());
-    fmt::print("hash of what a bake depends on: {}\neffects:\n", plain(summary["hash"]));
-    for (const json& row : summary["effects"]) {
-        fmt::print("  {:<12} {:<4} {}\n", plain(row["name"]), row["on"].get<bool>() ? "on" : "off", plain(row["why"]));
-    }
+    fmt::print("hash of what a bake depends on: {}\neffects:\n{}", plain(summary["hash"]), effectTable(summary["effects"]));
 }
 
 void runInfo(const InfoArguments& arguments) {

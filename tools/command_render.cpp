@@ -17,6 +17,7 @@
 #include "common/stage_fields.h"
 #include "lightsim/bake.h"
 #include "tools/bake_file.h"
+#include "tools/effect_table.h"
 #include "tools/scene_arguments.h"
 #include "tools/second_look.h"
 #include "tools/statistics_json.h"
@@ -117,6 +118,7 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     const StageFields stages = composeStageFields(scene);
     const Fields& fields = *stages.image.fields;
     const EffectSet& effects = stages.image.effects;
+    explainEffects(arguments.scene, effects, fields, progress);
     const Light light = lightOf(arguments, context, scene, stages, progress);
     RenderOptions renderOptions;
     renderOptions.progress = [&progress](double fraction) {
@@ -143,6 +145,7 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
 void addRenderOptions(CLI::App& command, RenderArguments& arguments) {
     const RenderSettings defaults;
     addSceneArguments(command, arguments.scene);
+    addExplainFlag(command, arguments.scene);
     command
         .add_option("-o,--output", arguments.output,
                     "image to write: .exr is linear with further channels, .png and .jpg are tone-mapped")

@@ -1,5 +1,6 @@
 #include "tools/scene_arguments.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include <CLI/CLI.hpp>
@@ -30,6 +31,18 @@ std::string sizeAsArray(const std::string& text) {
     return fmt::format("[{}, {}]", width, height);
 }
 
+std::string effectsAsArray(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) {
+        const bool isWord = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+        if (!isWord) {
+            throw CLI::ValidationError("--effects", fmt::format("expected names such as refraction,absorption, found '{}'", name));
+        }
+        list += fmt::format("{}'{}'", list.empty() ? "" : ", ", name);
+    }
+    return names == std::vector<std::string>{"auto"} ? "'auto'" : "[" + list + "]";
+}
+
 } // namespace
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
@@ -43,6 +56,15 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
             const bool valid = text.find('=') != std::string::npos && text.front() != '=';
             return valid ? std::string() : fmt::format("expected KEY.PATH=VALUE, found '{}'", text);
         });
+    const auto pushEffects = [&arguments](const std::vector<std::string>& names) {
+        pushOverride(arguments, "render.effects", effectsAsArray(names));
+    };
+    command
+        .add_option_function<std::vector<std::string>>("--effects", pushEffects,
+                                                       "effects that are allowed [the scene's, else all that it calls for]")
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
 }
 
 void addIntegerKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option) {
@@ -68,6 +90,10 @@ void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOpti
         pushOverride(arguments, key, sizeAsArray(text));
     };
     command.add_option_function<std::string>(option.names, push, option.help)->type_name(option.metavariable);
+}
+
+void addExplainFlag(CLI::App& command, SceneArguments& arguments) {
+    command.add_flag("--explain", arguments.explain, "first tell which effects are on, why, with which grids and how many bytes");
 }
 
 Scene sceneOf(const SceneArguments& arguments) {

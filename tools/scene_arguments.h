@@ -15,6 +15,7 @@ namespace eikonal {
 struct SceneArguments {
     std::string file;
     std::vector<std::string> overrides;  ///< "key.path=value" in the order given, options for single keys last
+    bool explain = false;  ///< print the table of effects first
 };
 
 /// An option that is a shorter spelling of --set for one key.
@@ -30,6 +31,9 @@ void addIntegerKey(CLI::App& command, SceneArguments& arguments, const SceneKeyO
 void addNumberKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option);
 /// WxH, as an array of two integers.
 void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option);
+
+/// For commands that call explainEffects (tools/effect_table.h).
+void addExplainFlag(CLI::App& command, SceneArguments& arguments);
 
 /// The scene with its overrides. Throws badInput as loadScene and requireAvailable.
 Scene sceneOf(const SceneArguments& arguments);

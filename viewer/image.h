@@ -91,6 +91,8 @@ public:
     /// Marks the passes of what follows; nullptr: none.
     void setTimer(gpu::PassTimer* timer) { timer_ = timer; }
     viewer::RayCounts counts() const { return accumulate_.counts(); }
+    /// Instructions of the marching kernels, where the driver tells.
+    std::optional<std::size_t> marchInstructions() { return march().instructions(); }
     /// Reflections followed so far.
     std::uint64_t reflectedRays() const { return reflections_ ? reflections_->count() : 0; }
     std::vector<std::pair<std::string, std::size_t>> textures() const;

@@ -120,6 +120,12 @@ void March::configure(gpu::ViewBlock& view) const {
     view.fewRays = portions_.fewRays;
 }
 
+std::optional<std::size_t> March::instructions() const {
+    const auto onward = onward_.instructions();
+    const auto first = first_ ? first_->instructions() : std::size_t(0);
+    return onward && first ? std::optional(*onward + *first) : std::nullopt;
+}
+
 void March::run(RayBatch& batch) const {
     for (std::uint32_t slice = 0; slice < mostSlices(); ++slice) {
         runSlice(batch, slice);

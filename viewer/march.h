@@ -40,6 +40,8 @@ public:
     void run(RayBatch& batch) const;
     /// Follows them by one slice, the first being 0; the list then holds those that go on.
     void runSlice(RayBatch& batch, std::uint32_t slice) const;
+    /// Of its kernels, where the driver tells.
+    std::optional<std::size_t> instructions() const;
     /// Slices in which every ray comes to its end.
     std::uint32_t mostSlices() const { return 2 * maxEvaluations_; }
 

@@ -60,7 +60,7 @@ RenderResult blankResult(const glm::ivec2& size) {
     return result;
 }
 
-void count(const ProgressiveImage& image, const gpu::Context& context, RenderStatistics& statistics) {
+void count(ProgressiveImage& image, const gpu::Context& context, RenderStatistics& statistics) {
     const viewer::RayCounts counts = image.counts();
     statistics.reflectedRays = image.reflectedRays();
     statistics.fieldEvaluations = counts.evaluations;
@@ -68,6 +68,7 @@ void count(const ProgressiveImage& image, const gpu::Context& context, RenderSta
     statistics.matterSamples = counts.matterSamples;
     statistics.steps = counts.evaluations - counts.entered + counts.lookUps;
     statistics.textures = image.textures();
+    statistics.marchInstructions = image.marchInstructions();
     statistics.device = context.rendererName();
     statistics.memoryBytes = image.bufferBytes();
     for (const auto& [name, bytes] : statistics.textures) statistics.memoryBytes += bytes;

@@ -2,6 +2,7 @@
 // An image of a scene without a window: generate, march, shade, accumulate, tone-map.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,6 +34,7 @@ struct RenderStatistics {
     std::uint64_t matterSamples = 0;                      ///< of absorption, scattering and emission
     std::vector<std::pair<std::string, std::size_t>> textures;
     std::size_t memoryBytes = 0;                          ///< textures and buffers on the device
+    std::optional<std::size_t> marchInstructions;         ///< of the marching kernels, where the driver tells
     std::string device;
 };
 

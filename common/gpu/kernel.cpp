@@ -1,7 +1,9 @@
 #include "common/gpu/objects.h"
 
+#include <string>
 #include <utility>
 
+#include "common/gpu/instruction_listing.h"
 #include "common/gpu/program.h"
 
 namespace eikonal::gpu {
@@ -28,6 +30,16 @@ void Kernel::dispatch(const glm::uvec3& groups) const {
 
 void Kernel::dispatchIndirect(const Buffer& arguments, std::size_t offset) const {
     dispatchTogether(arguments, {{*this, offset}});
+}
+
+std::optional<std::size_t> Kernel::instructions() const {
+    GLint bytes = 0;
+    glGetProgramiv(name_, GL_PROGRAM_BINARY_LENGTH, &bytes);
+    std::string binary(std::size_t(bytes), '\0');
+    GLsizei length = 0;
+    GLenum format = 0;
+    if (bytes > 0) glGetProgramBinary(name_, bytes, &length, &format, binary.data());
+    return listedInstructions(std::string_view(binary).substr(0, std::size_t(length)));
 }
 
 void Kernel::dispatchTogether(const Buffer& arguments, std::initializer_list<Indirect> dispatches) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -115,6 +116,8 @@ public:
     };
     static void dispatchTogether(const Buffer& arguments, std::initializer_list<Indirect> dispatches);
     GLuint name() const { return name_; }
+    /// How many it has, where the driver tells.
+    std::optional<std::size_t> instructions() const;
 
 private:
     GLuint name_ = 0;

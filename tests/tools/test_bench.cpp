@@ -69,6 +69,8 @@ TEST(Bench, EffectsAddUpToTheWholeImage) {
     EXPECT_EQ(table.back()[4], std::to_string(whole.at("field_evaluations").get<std::uint64_t>()));
     for (std::size_t i = 2; i < table.size(); ++i)
         EXPECT_GE(std::stoull(table[i][8]), std::stoull(table[i - 1][8])) << "no effect takes a texture away";
+    EXPECT_EQ(table[0].back(), "march_instructions");
+    for (std::size_t i = 1; i < table.size(); ++i) EXPECT_EQ(table[i].size(), table[1].size()) << "the driver tells of all kernels or of none";
     const std::string svg = test::readText(folder.file("ladder.svg"));
     EXPECT_EQ(svg.rfind("<svg ", 0), 0u);
     EXPECT_NE(svg.find("+ reflection"), std::string::npos);

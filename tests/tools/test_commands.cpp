@@ -310,15 +310,61 @@ TEST(InfoCommand, ShowsAVolume) {
     EXPECT_EQ(json::parse(data.out)["grids"].size(), 2u);
 }
 
+/// The line of the table of effects that begins with a name.
+std::string rowOf(const std::string& table, const std::string& effect) {
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("  " + effect + " ", 0) == 0) return line;
+    }
+    return {};
+}
+
 TEST(InfoCommand, ShowsEffectsAndCostOfAScene) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.toml", kSmallScene);
     const RunResult text = runEikonal({"info", scene});
     EXPECT_EQ(text.exitCode, 0) << text.err;
-    EXPECT_TRUE(contains(text.out, "refraction"));
+    for (const char* part : {" on ", " MiB ", " ior ", "the index varies from 1 to 1."}) {
+        EXPECT_TRUE(contains(rowOf(text.out, "refraction"), part)) << part << " in\n" << text.out;
+    }
+    EXPECT_TRUE(contains(rowOf(text.out, "emission"), " off ")) << text.out;
+    EXPECT_FALSE(contains(rowOf(text.out, "emission"), " MiB ")) << text.out;
     const RunResult data = runEikonal({"info", scene, "--json"});
     EXPECT_EQ(data.exitCode, 0);
     EXPECT_TRUE(json::parse(data.out).contains("effects"));
+}
+
+TEST(Effects, AreTheOnesThatAreAllowed) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene), image = folder.file("i.png");
+    const RunResult few = runEikonal({"render", scene, "-o", image, "--effects", "refraction,emission", "--explain", "--quiet", "--stats",
+                                      folder.file("i.json"), "--no-estimate"});
+    ASSERT_EQ(few.exitCode, 0) << few.err;
+    EXPECT_TRUE(contains(rowOf(few.out, "refraction"), " on ")) << few.out;
+    EXPECT_TRUE(contains(rowOf(few.out, "scattering"), "left out by render.effects, though something scatters")) << few.out;
+    EXPECT_TRUE(contains(rowOf(few.out, "emission"), "nothing emits")) << "what the scene does not call for stays off";
+    for (const auto& effect : json::parse(readText(folder.file("i.json")))["effects"]) {
+        EXPECT_EQ(effect["on"].get<bool>(), effect["name"] == "refraction") << effect;
+    }
+    const std::string picture = readText(image);
+    const RunResult byKey = runEikonal({"render", scene, "-o", image, "--set", "render.effects=[\"refraction\", \"emission\"]", "--quiet"});
+    ASSERT_EQ(byKey.exitCode, 0) << byKey.err;
+    EXPECT_EQ(byKey.out, "") << "the table is for those who ask";
+    EXPECT_EQ(readText(image), picture);
+    const RunResult dark = runEikonal({"bake", scene, "-o", folder.file("b.vdb"), "--effects", "auto", "--explain", "--quiet"});
+    ASSERT_EQ(dark.exitCode, 0) << dark.err;
+    EXPECT_TRUE(contains(rowOf(dark.out, "scattering"), " on ")) << dark.out;
+}
+
+TEST(Effects, ThatAreUnknownAreRefused) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const RunResult unknown = runEikonal({"info", scene, "--effects", "refraction,magic"});
+    EXPECT_EQ(unknown.exitCode, 3);
+    EXPECT_TRUE(contains(unknown.err, "expected 'refraction', ") && contains(unknown.err, "found string 'magic'")) << unknown.err;
+    const RunResult noName = runEikonal({"info", scene, "--effects", "'x"});
+    EXPECT_EQ(noName.exitCode, 2);
+    EXPECT_TRUE(contains(noName.err, "expected names such as refraction,absorption, found ''x'")) << noName.err;
 }
 
 } // namespace eikonal::test

@@ -71,13 +71,16 @@ std::vector<Rung> climbLadder(const gpu::Context& context, const Scene& scene, c
 }
 
 std::string ladderCsv(const std::vector<Rung>& rungs) {
-    std::string csv = "added,seconds,rays,steps,field_evaluations,clearance_look_ups,matter_samples,fetches,texture_bytes\n";
+    std::string csv = "added,seconds,rays,steps,field_evaluations,clearance_look_ups,matter_samples,fetches,texture_bytes,"
+                      "march_instructions\n";
     for (const Rung& rung : rungs) {
         std::size_t bytes = 0;
         for (const auto& texture : rung.statistics.textures) bytes += texture.second;
-        csv += fmt::format("{},{:.4f},{},{},{},{},{},{},{}\n", rung.added, rung.seconds, rung.statistics.rays,
+        const auto instructions = rung.statistics.marchInstructions;
+        csv += fmt::format("{},{:.4f},{},{},{},{},{},{},{},{}\n", rung.added, rung.seconds, rung.statistics.rays,
                            rung.statistics.steps, rung.statistics.fieldEvaluations, rung.statistics.clearanceLookUps,
-                           rung.statistics.matterSamples, rung.fetches, bytes);
+                           rung.statistics.matterSamples, rung.fetches, bytes,
+                           instructions ? std::to_string(*instructions) : "");
     }
     return csv;
 }

@@ -26,7 +26,7 @@ std::vector<Rung> climbLadder(const gpu::Context& context, const Scene& scene, c
                               const EffectSet& effects, const BakedLight* light, int repeats,
                               const std::function<void(double)>& progress);
 
-/// One row a rung, with a header.
+/// One row a rung, with a header. `march_instructions`, of the marching kernels, is empty where the driver does not tell.
 std::string ladderCsv(const std::vector<Rung>& rungs);
 
 } // namespace eikonal::bench
