@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <tbb/parallel_for.h>
+
 namespace eikonal::bake {
 
 namespace {
@@ -60,7 +62,7 @@ void LightSums::read(const BakeSettings& settings, const DenseGrid<float>& opaqu
     const auto sumOf = [](const std::vector<std::uint32_t>& words, std::size_t i) {
         return fixedPointValue(words[2 * i], words[2 * i + 1]);
     };
-    for (std::size_t i = 0; i < count; ++i) {
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         const double freeShare = opaque.empty() ? 1.0 : 1.0 - opaque.values[first + i];
         glm::dvec3 sums(sumOf(power[0], i));
         double total = sums.x;
@@ -73,7 +75,7 @@ void LightSums::read(const BakeSettings& settings, const DenseGrid<float>& opaqu
             light.irradiance.values[first + i] = sums * (unit / freeShare);
             light.lightDirection.values[first + i] = vector / std::max(total, glm::length(vector));
         }
-    }
+    });
 }
 
 std::size_t LightSums::bytes() const {

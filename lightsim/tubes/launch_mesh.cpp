@@ -19,6 +19,12 @@ std::size_t LaunchMesh::PlaceHash::operator()(const glm::uvec3& key) const {
     return std::size_t(hash ^ (hash >> 31));
 }
 
+void LaunchMesh::reserve(std::uint32_t vertexCount) {
+    vertices.reserve(vertexCount);
+    edges.reserve(vertexCount / 2);
+    nodes.reserve(vertexCount / 2);
+}
+
 std::uint32_t LaunchMesh::cornerAt(std::uint32_t frame, const glm::uvec2& place) {
     const auto [entry, isAdded] = cornerByPlace_.try_emplace({frame, place.x, place.y}, std::uint32_t(vertices.size()));
     if (isAdded) {

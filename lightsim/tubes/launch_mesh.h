@@ -63,6 +63,8 @@ class LaunchMesh {
 public:
     static constexpr std::uint32_t kCellUnits = 1u << 12;  ///< a cell can be halved twelve times along each side
 
+    /// Room for a mesh of so many vertices, each of which is the middle of an edge or of a node.
+    void reserve(std::uint32_t vertexCount);
     /// Adds cell number `cell` of a frame's grid as a root node; returns its number.
     std::uint32_t addCell(std::uint32_t frameIndex, const LaunchFrame& frame, std::uint32_t cell);
 

@@ -25,6 +25,7 @@ TubeBatch::TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, std::span<c
                      std::uint32_t capacity)
     : kernels_(kernels), grids_(grids), capacity_(capacity), rootCount_(std::uint32_t(cells.size())),
       isDone_(cells.size(), 0) {
+    mesh_.reserve(capacity);
     for (const std::uint32_t cell : cells) {
         const std::uint32_t frame = frameOfCell(grids, cell);
         mesh_.addCell(frame, grids.frames[frame], cell - grids.frames[frame].firstCell);

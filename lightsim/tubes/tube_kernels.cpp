@@ -15,10 +15,7 @@ namespace {
 // The trace's answer begins with its count of field evaluations.
 constexpr std::size_t kPresenceHeader = 4 * sizeof(std::uint32_t);
 constexpr std::size_t kCellsPerJob = 4;
-// Room for these many is made at once.
-constexpr std::uint32_t kFirstVertices = 4096;
-constexpr std::size_t kFirstJobs = 1024;
-
+constexpr std::size_t kFirstJobs = 1024;  // room for so many is made at once
 
 std::vector<std::string> withGathers(std::vector<std::string> defines, int gathersPerPart) {
     defines.push_back("GATHERS_PER_PART " + std::to_string(gathersPerPart));
@@ -46,7 +43,7 @@ std::size_t freeSampleWords(const std::vector<std::string>& defines, const Latti
 } // namespace
 
 TubeKernels::Portions TubeKernels::portionsFor(const gpu::DeviceLimits& limits) {
-    return limits.isProcessor ? Portions{1, 4096} : Portions{8, TUBE_MAX_JOBS};
+    return limits.isProcessor ? Portions{1, 4096, 4096} : Portions{8, TUBE_MAX_JOBS, 65536};
 }
 
 TubeKernels::TubeKernels(const gpu::Context& context, const std::vector<std::string>& defines, const Lattice& lattice,
@@ -148,7 +145,7 @@ gpu::Kernel::Indirect TubeKernels::listed(const gpu::Kernel& kernel, std::size_t
 
 void TubeKernels::makeRoomFor(std::size_t vertexCount) {
     const std::size_t room = std::max<std::size_t>(
-        vertexCount, std::min(capacity_, std::bit_ceil(std::max(std::uint32_t(vertexCount), kFirstVertices))));
+        vertexCount, std::min(capacity_, std::bit_ceil(std::max(std::uint32_t(vertexCount), portions_.firstVertices))));
     vertices_.grow(room * sizeof(TubeVertex));
     nodes_.grow(room * sizeof(TubeNode));
     presences_.grow(kPresenceHeader + room * sizeof(TubePresence));

@@ -80,11 +80,12 @@ private:
     void depositChunk(std::span<const TubeJob> jobs, const Deposits& deposits);
     const DepositKernels& depositKernels(const VoxelSums& sums);
 
-    /// How deposits are divided into dispatches and invocations: a processor wants one invocation a part and what stays in its
+    /// How work is divided into dispatches and invocations: a processor wants one invocation a part and what stays in its
     /// caches, a GPU many of both.
     struct Portions {
         int gathersPerPart;
-        std::size_t jobs;
+        std::size_t jobs;             ///< that are deposited at a time
+        std::uint32_t firstVertices;  ///< room for so many is made at once
     };
     static Portions portionsFor(const gpu::DeviceLimits& limits);
 
