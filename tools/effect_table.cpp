@@ -10,7 +10,7 @@ namespace eikonal {
 namespace {
 
 std::string megabytes(const nlohmann::json& row) {
-    return row["grids"].empty() ? "" : fmt::format("{:.2f} MiB", row["bytes"].get<double>() / (1024.0 * 1024.0));
+    return !row["on"].get<bool>() || row["grids"].empty() ? "" : fmt::format("{:.2f} MiB", row["bytes"].get<double>() / (1024.0 * 1024.0));
 }
 
 std::string namesOf(const nlohmann::json& grids) {
