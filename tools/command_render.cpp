@@ -121,6 +121,7 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     explainEffects(arguments.scene, effects, fields, progress);
     const Light light = lightOf(arguments, context, scene, stages, progress);
     RenderOptions renderOptions;
+    renderOptions.channels = hasChannels(arguments.output);
     renderOptions.progress = [&progress](double fraction) {
         throwIfInterrupted();
         progress.update("rendering", fraction);

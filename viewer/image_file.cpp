@@ -46,10 +46,14 @@ ImageAttributes attributesOf(const RenderResult& image, const Scene& scene, cons
     return attributes;
 }
 
-void writeRendered(const std::filesystem::path& file, const RenderResult& image, const ImageAttributes& attributes) {
+bool hasChannels(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (extension != ".exr") {
+    return extension == ".exr";
+}
+
+void writeRendered(const std::filesystem::path& file, const RenderResult& image, const ImageAttributes& attributes) {
+    if (!hasChannels(file)) {
         writeDisplay(file, image.size, image.display);
         return;
     }

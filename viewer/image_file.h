@@ -14,6 +14,9 @@ namespace eikonal {
 /// NDC go from 0 at the upper left to 1); `seconds`, `samples` and `noise`, where the image has statistics.
 ImageAttributes attributesOf(const RenderResult& image, const Scene& scene, const std::string& creator);
 
+/// Whether an image by that name has more than what is displayed.
+bool hasChannels(const std::filesystem::path& file);
+
 /// .exr: linear, with all channels and these attributes; .png and .jpg: tone-mapped. Throws as writeExr and writeDisplay.
 void writeRendered(const std::filesystem::path& file, const RenderResult& image, const ImageAttributes& attributes);
 

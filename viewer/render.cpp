@@ -29,17 +29,21 @@ std::array<float, kChannelNames.size()> channelValues(const gpu::FilmPixel& p) {
 /// The region's pixels into the picture; their noise.
 viewer::FilmNoise collectRegion(ProgressiveImage& image, RenderResult& result) {
     const Tile& tile = image.region();
+    const auto targetOf = [&](std::size_t pixel) {
+        const int x = tile.origin.x + int(pixel) % tile.size.x;
+        const int y = tile.origin.y + int(pixel) / tile.size.x;
+        return std::size_t(y) * std::size_t(result.size.x) + std::size_t(x);
+    };
     const auto display = image.display();
+    for (std::size_t i = 0; i < display.size(); ++i) result.display[targetOf(i)] = glm::vec3(display[i]);
     viewer::FilmNoise noise;
     image.visitFilm([&](std::size_t first, std::span<const gpu::FilmPixel> pixels) {
         noise += viewer::noiseOf(pixels, image.samples());
+        if (result.channels.empty()) return;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const int x = tile.origin.x + int(first + i) % tile.size.x;
-            const int y = tile.origin.y + int(first + i) / tile.size.x;
-            const std::size_t target = std::size_t(y) * std::size_t(result.size.x) + std::size_t(x);
+            const std::size_t target = targetOf(first + i);
             const auto values = channelValues(pixels[i]);
             for (std::size_t c = 0; c < values.size(); ++c) result.channels[c].values[target] = values[c];
-            result.display[target] = glm::vec3(display[first + i]);
         }
     });
     return noise;
@@ -51,11 +55,13 @@ std::size_t mostRegionPixels(const ProgressiveImage& image, const RenderSettings
     return settings.noise > 0.0 ? kEveryDevicesBlock / sizeof(gpu::FilmPixel) : image.mostRays();
 }
 
-RenderResult blankResult(const glm::ivec2& size) {
+RenderResult blankResult(const glm::ivec2& size, bool hasChannels) {
     RenderResult result;
     result.size = size;
     const std::size_t pixels = std::size_t(size.x) * std::size_t(size.y);
-    for (const char* name : kChannelNames) result.channels.push_back({name, std::vector<float>(pixels)});
+    if (hasChannels) {
+        for (const char* name : kChannelNames) result.channels.push_back({name, std::vector<float>(pixels)});
+    }
     result.display.resize(pixels);
     return result;
 }
@@ -96,7 +102,7 @@ RenderResult renderScene(const gpu::Context& context, const Scene& scene, const 
     if (!regions.empty()) imageOptions.tileRays = regions.front().pixels();
     ProgressiveImage image(context, scene, fields, effects, bake, imageOptions);
     const double setupSeconds = secondsSince(start);
-    RenderResult result = renderFrame(image, scene.render, options.progress);
+    RenderResult result = renderFrame(image, scene.render, options.progress, options.channels);
     count(image, context, result.statistics);
     context.throwIfError();
     const double totalSeconds = secondsSince(start);
@@ -106,8 +112,8 @@ RenderResult renderScene(const gpu::Context& context, const Scene& scene, const 
 }
 
 RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings,
-                         const std::function<void(double)>& progress) {
-    RenderResult result = blankResult(settings.size);
+                         const std::function<void(double)>& progress, bool channels) {
+    RenderResult result = blankResult(settings.size, channels);
     const double pixels = double(result.display.size());
     viewer::FilmNoise noise;
     double pixelsDone = 0.0;
@@ -127,7 +133,7 @@ RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings
 }
 
 RenderResult readImage(ProgressiveImage& image) {
-    RenderResult result = blankResult(image.frameSize());
+    RenderResult result = blankResult(image.frameSize(), true);
     collectRegion(image, result);
     return result;
 }

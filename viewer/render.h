@@ -43,7 +43,8 @@ struct RenderResult {
     /// Linear Rec.709 R, G, B, and of the ray through each pixel's centre: exit.X/Y/Z (unit direction at the end),
     /// depth.R/G/B (optical depth of extinction), throughput.R/G/B (of what lies behind), steps, Z (distance to where the
     /// domain is entered, infinite if it is not) and optical_length, both in scene units, and
-    /// N.X/Y/Z (outward normal of the opaque surface that the ray ends on, 0 where it meets none).
+    /// N.X/Y/Z (outward normal of the opaque surface that the ray ends on, 0 where it meets none). None where the options leave
+    /// them out.
     std::vector<RenderChannel> channels;
     std::vector<glm::vec3> display;  ///< tone-mapped, sRGB-encoded, 0 to 1
     RenderStatistics statistics;
@@ -57,10 +58,10 @@ struct RenderResult {
 RenderResult renderScene(const gpu::Context& context, const Scene& scene, const Fields& fields,
                          const EffectSet& effects, const BakedLight* bake, const RenderOptions& options = {});
 
-/// All samples of a frame, region after region, so that a film of any size fits the device. `progress`: as in RenderOptions.
-/// Statistics hold rays, samples and noise only.
+/// All samples of a frame, region after region, so that a film of any size fits the device. `progress` and `channels`: as in
+/// RenderOptions. Statistics hold rays, samples and noise only.
 RenderResult renderFrame(ProgressiveImage& image, const RenderSettings& settings,
-                         const std::function<void(double)>& progress);
+                         const std::function<void(double)>& progress, bool channels);
 
 /// The channels and the display of an image whose region is its whole frame, without statistics.
 RenderResult readImage(ProgressiveImage& image);

@@ -17,6 +17,7 @@ struct RenderOptions {
     std::uint32_t maxEvaluations = 0;     ///< of the index field and look-ups by ray; 0: from the domain's size
     std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes
     std::size_t tileRays = 0;             ///< rays under way at a time: bounds the memory; 0: as the device likes it
+    bool channels = true;                 ///< false: only what is displayed is read back
     double minThroughput = 1e-5;          ///< a ray of which less is left ends
     std::function<void(double)> progress; ///< called with the fraction done; may throw to stop
 };

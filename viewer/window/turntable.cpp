@@ -34,9 +34,10 @@ void writeTurntable(const TurntableOptions& options) {
         scene.camera = orbited(start, {kTurn * frame / options.frames, 0.0});
         image.setCamera(scene.camera);
         const auto progress = [&](double fraction) { options.progress("rendering", (frame + fraction) / options.frames); };
-        const RenderResult result = renderFrame(image, scene.render, progress);
+        const std::string name = options.nameOf(frame);
+        const RenderResult result = renderFrame(image, scene.render, progress, hasChannels(name));
         context.throwIfError();
-        writeRendered(options.nameOf(frame), result, attributesOf(result, scene, options.creator));
+        writeRendered(name, result, attributesOf(result, scene, options.creator));
     }
 }
 
