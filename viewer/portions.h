@@ -1,10 +1,12 @@
 #pragma once
 // Into what portions the marching of a picture is divided.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 #include "common/gpu/context.h"
+#include "shaders/shared/reflection_blocks.h"
 
 namespace eikonal::viewer {
 
@@ -20,9 +22,11 @@ struct Portions {
 inline constexpr std::uint32_t kLoopsOnProcessor = 65535 / 8;
 
 /// A vector of a processor waits for its last ray, so that rays that have ended are taken out soon. A GPU waits for the longest
-/// ray of every dispatch, however many go beside it.
+/// ray of every dispatch, however many go beside it. What waits at a ray's boundaries must fit a storage block.
 inline Portions portionsFor(const gpu::DeviceLimits& limits) {
-    return limits.isProcessor ? Portions{1u << 17, 192, kLoopsOnProcessor, 1024} : Portions{1u << 19, 4096, ~0u, 1u << 19};
+    if (limits.isProcessor) return {1u << 17, 192, kLoopsOnProcessor, 1024};
+    const std::size_t rays = std::min<std::size_t>(1u << 19, limits.maxStorageBlockBytes / sizeof(gpu::PixelReflections));
+    return {rays, 4096, ~0u, std::uint32_t(rays)};
 }
 
 } // namespace eikonal::viewer

@@ -127,7 +127,7 @@ private:
     bool wantsHalving(const MeshNode& node, bool& alongU) const;
     /// Leaves that what was measured may want to be halved, in their order.
     std::vector<std::uint32_t> leavesConcerned(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> nodes) const;
-    /// The node takes the place of the one that it is a half of, or none: beside its sides.
+    /// A node is the leaf beside its sides from now on; the one that it is a half of is so no more.
     void standBeside(std::uint32_t node, const std::uint32_t (&sides)[4]);
     void halve(std::uint32_t node, bool alongU);
     bool canHalve(std::uint32_t edge) const;

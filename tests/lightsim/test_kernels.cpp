@@ -45,7 +45,7 @@ std::vector<KernelVariant> variants() {
         }
     }
     for (const char* bands : {"BANDS 1", "BANDS 3"}) {
-        for (const char* kernel : {"trace", "measure_edges", "measure_nodes", "conform", "sort_cells", "smooth_cells", "sort_parts",
+        for (const char* kernel : {"place", "trace", "measure_edges", "measure_nodes", "conform", "sort_cells", "smooth_cells", "sort_parts",
                                    "deposit_gather", "deposit_lines", "deposit_rays", "tally"}) {
             for (const auto& subset : test::tellingSubsets({"FOLLOW_REFLECTIONS", "EFFECT_OPAQUE"})) {
                 rows.push_back(test::variant("lightsim/tubes/" + std::string(kernel) + ".comp.glsl", subset,

@@ -1,5 +1,6 @@
 // A progressive image is the still that renderScene makes, however it came about.
 #include "tests/support/synthetic_fields.h"
+#include "viewer/portions.h"
 #include "viewer/render.h"
 
 namespace eikonal {
@@ -45,6 +46,28 @@ TEST(ProgressiveImage, EqualsTheStillAfterAnyHistory) {
     complete(image, scene, 13);
     EXPECT_DOUBLE_EQ(image.roundProgress(), 0.0);
     expectSameChannels(readImage(image), still);
+}
+
+TEST(ProgressiveImage, IsTheSameInThePortionsOfAGpu) {
+    const Fields fields = test::sphereFields(test::cube(32, 1.0), 0.7, 1.5, 1.5 / 16.0);
+    Scene scene = ballScene();
+    scene.accuracy.reflections = 2;  // rays that stay inside for long
+    const EffectSet effects = test::effectsOf(scene, fields);
+    const RenderResult usual = renderScene(test::sharedContext(), scene, fields, effects, nullptr);
+    {
+        const gpu::Context hardware = gpu::Context::windowless({.asHardware = true});
+        expectSameChannels(renderScene(hardware, scene, fields, effects, nullptr), usual);
+    }
+    test::sharedContext().makeCurrent();
+}
+
+TEST(Portions, FitStorageBlocks) {
+    for (const std::size_t block : {std::size_t(128) << 20, std::size_t(2) << 30}) {  // the least that is asked for, and a GPU's
+        const viewer::Portions ofGpu = viewer::portionsFor({.maxStorageBlockBytes = block});
+        EXPECT_LE(ofGpu.rays * sizeof(gpu::PixelReflections), block);
+        EXPECT_LE(ofGpu.rays * sizeof(gpu::RayState), block);
+        EXPECT_GT(ofGpu.rays, viewer::portionsFor({.maxStorageBlockBytes = block, .isProcessor = true}).rays);
+    }
 }
 
 TEST(ProgressiveImage, WithDispersionEqualsTheStillInAnyPortions) {
