@@ -54,7 +54,7 @@ bool hasGreyMatter(const Fields& fields) {
 }
 
 RenderOptions withTile(RenderOptions options, const gpu::DeviceLimits& limits) {
-    if (options.tileRays == 0) options.tileRays = viewer::portionsFor(limits).rays;
+    options.tileRays = viewer::raysAtATime(options.tileRays, limits);
     return options;
 }
 

@@ -118,6 +118,7 @@ void March::configure(gpu::ViewBlock& view) const {
     view.maxEvaluations = maxEvaluations_;
     view.stepsPerSlice = stepsPerSlice_;
     view.fewRays = portions_.fewRays;
+    view.stepsPerDispatch = portions_.stepsOfDispatch;
 }
 
 std::optional<std::size_t> March::instructions() const {

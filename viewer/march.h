@@ -21,7 +21,7 @@ struct MarchSettings {
     double matterVoxels = 1.0;         ///< longest piece on which matter that varies is sampled once [voxels]
     Integrator integrator = Integrator::kLeapfrog;
     std::uint32_t maxEvaluations = 0;  ///< and look-ups, by ray; 0: eight times the domain's diagonal, at least 4096
-    std::uint32_t stepsPerSlice = 0;   ///< of one dispatch; 0: as many as every device finishes
+    std::uint32_t stepsPerSlice = 0;   ///< of one dispatch; 0: as many as the device likes
     InsetBounds insets{};              ///< of the fields, in whose finest voxels steps may have to be taken
 };
 

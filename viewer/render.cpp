@@ -97,8 +97,7 @@ RenderResult renderScene(const gpu::Context& context, const Scene& scene, const 
                          const EffectSet& effects, const BakedLight* bake, const RenderOptions& options) {
     const auto start = Clock::now();
     RenderOptions imageOptions = options;
-    if (imageOptions.tileRays == 0) imageOptions.tileRays = viewer::portionsFor(context.limits()).rays;
-    const auto regions = viewer::tilesOf(scene.render.size, imageOptions.tileRays);
+    const auto regions = viewer::tilesOf(scene.render.size, viewer::raysAtATime(options.tileRays, context.limits()));
     if (!regions.empty()) imageOptions.tileRays = regions.front().pixels();
     ProgressiveImage image(context, scene, fields, effects, bake, imageOptions);
     const double setupSeconds = secondsSince(start);

@@ -15,7 +15,7 @@ struct RenderOptions {
     glm::vec2 pixelShare{1.0f};
     bool straightFlights = true;          ///< false: steps through everything, for comparison
     std::uint32_t maxEvaluations = 0;     ///< of the index field and look-ups by ray; 0: from the domain's size
-    std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as every device finishes
+    std::uint32_t stepsPerSlice = 0;      ///< of a dispatch; 0: as many as the device likes
     std::size_t tileRays = 0;             ///< rays under way at a time: bounds the memory; 0: as the device likes it
     bool channels = true;                 ///< false: only what is displayed is read back
     double minThroughput = 1e-5;          ///< a ray of which less is left ends

@@ -44,7 +44,7 @@ std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const
 struct TraceRules {
     StraightFlights flights = StraightFlights::kTaken;
     Boundaries boundaries = Boundaries::kOnlyRefract;
-    std::uint32_t stepsPerSlice = 0;  ///< 0: as many as every device finishes
+    std::uint32_t stepsPerSlice = 0;  ///< 0: as many as the device likes
 };
 
 /// The kernels and buffers that rays are followed with, batch after batch.

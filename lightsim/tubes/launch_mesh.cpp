@@ -60,7 +60,7 @@ std::uint32_t LaunchMesh::addEdge(std::uint32_t a, std::uint32_t b, std::uint32_
 
 void LaunchMesh::standBeside(std::uint32_t node, const std::uint32_t (&sides)[4]) {
     for (int side = 0; side < 4; ++side) {
-        edges[sides[side]].leaves[isHigherThanSide(side)] = node;
+        edges[sides[side]].beside[isHigherThanSide(side)] = node;
     }
 }
 
@@ -161,9 +161,6 @@ void LaunchMesh::halve(std::uint32_t index, bool alongU) {
                                        : addNode({c[0], c[1], n, m}, {e[0], parts[2], across, parts[0]}, node.root, false);
     const std::uint32_t second = alongU ? addNode({m, c[1], c[2], n}, {parts[1], e[1], parts[3], across}, node.root, true)
                                         : addNode({m, n, c[2], c[3]}, {across, parts[3], e[2], parts[1]}, node.root, false);
-    for (const int side : cut) {
-        edges[e[side]].leaves[isHigherThanSide(side)] = kNone;
-    }
     nodes[index].children[0] = first;
     nodes[index].children[1] = second;
 }
@@ -173,7 +170,7 @@ std::vector<std::uint32_t> LaunchMesh::leavesConcerned(std::span<const std::uint
     std::vector<std::uint32_t> concerned(measuredNodes.begin(), measuredNodes.end());
     for (const std::uint32_t edge : measuredEdges) {
         if (edges[edge].strong != 0) {
-            concerned.insert(concerned.end(), std::begin(edges[edge].leaves), std::end(edges[edge].leaves));
+            concerned.insert(concerned.end(), std::begin(edges[edge].beside), std::end(edges[edge].beside));
         }
     }
     std::erase_if(concerned, [&](std::uint32_t node) { return node == kNone || !nodes[node].isLeaf(); });

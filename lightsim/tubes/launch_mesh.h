@@ -39,7 +39,7 @@ struct MeshEdge {
     std::uint32_t parent = kNone;
     std::uint32_t children[2] = {kNone, kNone};
     std::uint32_t middle = kNone;
-    std::uint32_t leaves[2] = {kNone, kNone};  ///< that have it as a whole side: at the lower, at the higher coordinate
+    std::uint32_t beside[2] = {kNone, kNone};  ///< smallest nodes that it is a whole side of: at its lower, its higher coordinate
     bool isLive;           ///< its middle is a ray, and measured
     Samples strong = 0;    ///< the middle is off, with power that matters
     Samples weak = 0;      ///< the same, with less power
@@ -127,7 +127,7 @@ private:
     bool wantsHalving(const MeshNode& node, bool& alongU) const;
     /// Leaves that what was measured may want to be halved, in their order.
     std::vector<std::uint32_t> leavesConcerned(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> nodes) const;
-    /// A node is the leaf beside its sides from now on; the one that it is a half of is so no more.
+    /// A node is beside its sides from now on, in place of the one that it is a half of.
     void standBeside(std::uint32_t node, const std::uint32_t (&sides)[4]);
     void halve(std::uint32_t node, bool alongU);
     bool canHalve(std::uint32_t edge) const;

@@ -145,8 +145,8 @@ struct ViewBlock {
     uint lensHalf;            // the half that it is in
     float sampleShare;        // of each of the samples that the scene asks for
     uint fewRays;             // so many go on from event to event in a slice
+    uint stepsPerDispatch;    // of all its rays together
     float padA;
-    float padB;
 };
 
 #ifdef __cplusplus
@@ -177,5 +177,6 @@ ViewBlock view = ViewBlock(
     viewGiven.ambient, viewGiven.contentMin, viewGiven.negligibleGradient, viewGiven.contentMax,
     viewGiven.dispersedAtStart, viewGiven.bandToRgb, viewGiven.bandChannel, viewGiven.mostGenerations,
     viewGiven.leastReflected, viewGiven.lensSequence, viewGiven.lensRadius, viewGiven.focusDistance,
-    viewGiven.halfWeight, viewGiven.lensHalf, viewGiven.sampleShare, viewGiven.fewRays, 0.0, 0.0);
+    viewGiven.halfWeight, viewGiven.lensHalf, viewGiven.sampleShare, viewGiven.fewRays,
+    viewGiven.stepsPerDispatch, 0.0);
 #endif

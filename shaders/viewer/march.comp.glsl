@@ -6,7 +6,7 @@ uint march(uint entry) {
     RayState ray = loadRay(rayIndex);
     loadBoundary();
     stopInsideOpaque(ray);
-    uint left = view.stepsPerSlice;
+    uint left = stepsOfSlice();
     bool eventful = followStretch(ray, left);
     return passOn(ray, eventful);
 }

@@ -25,7 +25,7 @@ Course courseAt(uint place) {
     if (!isListed) {
         course.ray.status = kMissed;
     }
-    course.left = view.stepsPerSlice;
+    course.left = stepsOfSlice();
     return course;
 }
 

@@ -9,7 +9,7 @@ uint marchOn(uint entry) {
     loadBoundary();
     bool eventful = entry == rayIndex;
     bool goesOn = takenHead.count <= view.fewRays;
-    uint left = view.stepsPerSlice;
+    uint left = stepsOfSlice();
     do {
         if (eventful) {
             takeEventfulStep(ray);

@@ -57,6 +57,11 @@ void listAtOwnPlace(uint entry) {
     filledRays[gl_GlobalInvocationID.x] = entry;
 }
 
+// Of each ray that is taken: fewer where there are many, so that no dispatch takes long.
+uint stepsOfSlice() {
+    return clamp(view.stepsPerDispatch / max(takenHead.count, 1u), 1u, view.stepsPerSlice);
+}
+
 uint entryAt(uint place) {
     return place < takenHead.count ? takenRays[place] : kNoEntry;
 }

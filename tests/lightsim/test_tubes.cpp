@@ -52,33 +52,44 @@ bake::LaunchFrame frameOfCells(std::uint32_t across) {
     return frame;
 }
 
-/// Refines edges about one point of launch coordinates, those within half their length of it, as a caustic would have it.
-void refineAbout(bake::LaunchMesh& mesh, const glm::uvec2& place, int times) {
-    std::vector<std::uint32_t> live;
+std::vector<std::uint32_t> numbersFrom(std::size_t first, std::size_t end) {
+    std::vector<std::uint32_t> numbers(end - first);
+    std::iota(numbers.begin(), numbers.end(), std::uint32_t(first));
+    return numbers;
+}
+
+enum class Measured { kAll, kOnlyNew };
+
+/// Refines edges about one point of launch coordinates, those within half their length of it, as a caustic would have it. What
+/// is measured in a round: everything, or all edges first and then what the round before has made.
+void refineAbout(bake::LaunchMesh& mesh, const glm::uvec2& place, int times, Measured measured) {
+    const bool onlyNew = measured == Measured::kOnlyNew;
+    std::vector<std::uint32_t> edges = numbersFrom(0, mesh.edges.size()), nodes = numbersFrom(0, onlyNew ? 0 : mesh.nodes.size());
     for (int i = 0; i < times; ++i) {
-        for (bake::MeshEdge& edge : mesh.edges) {
+        for (const std::uint32_t index : edges) {
+            bake::MeshEdge& edge = mesh.edges[index];
             const glm::uvec2 a = mesh.vertices[edge.ends[0]].place, b = mesh.vertices[edge.ends[1]].place;
             const glm::dvec2 offset = glm::max(glm::dvec2(a) - glm::dvec2(place), glm::dvec2(place) - glm::dvec2(b));
             const double length = glm::length(glm::dvec2(b) - glm::dvec2(a));
             const bool near = std::max(offset.x, offset.y) < 0.5 * length;
             edge.strong = edge.isLive && near ? 2u : 0u;
         }
-        std::vector<std::uint32_t> edges(mesh.edges.size()), nodes(mesh.nodes.size());
-        std::iota(edges.begin(), edges.end(), 0u);
-        std::iota(nodes.begin(), nodes.end(), 0u);
-        mesh.refine(100000, edges, nodes, live);
+        std::vector<std::uint32_t> live;
+        const std::uint32_t firstNew = mesh.refine(100000, edges, nodes, live);
+        edges = onlyNew ? live : numbersFrom(0, mesh.edges.size());
+        nodes = numbersFrom(onlyNew ? firstNew : 0, mesh.nodes.size());
     }
     mesh.settle();
 }
 
 /// Four cells, refined about a point in one of them, close to the next.
-bake::LaunchMesh refinedMesh() {
+bake::LaunchMesh refinedMesh(Measured measured = Measured::kOnlyNew) {
     bake::LaunchMesh mesh;
     const bake::LaunchFrame frame = frameOfCells(2);
     for (std::uint32_t cell = 0; cell < 4; ++cell) {
         mesh.addCell(0, frame, cell);
     }
-    refineAbout(mesh, {4000, 1000}, 6);
+    refineAbout(mesh, {4000, 1000}, 6, measured);
     return mesh;
 }
 
@@ -93,6 +104,23 @@ TEST(LaunchMesh, LeavesCoverEveryCellOnce) {
     }
     EXPECT_GT(mesh.nodes.size(), 12u);
     EXPECT_EQ(area, 4ull * bake::LaunchMesh::kCellUnits * bake::LaunchMesh::kCellUnits);
+}
+
+/// In a second window about another point, which reaches into leaves of several sizes.
+bake::LaunchMesh refinedTwice(Measured measured) {
+    bake::LaunchMesh mesh = refinedMesh(measured);
+    mesh.beginWindow();
+    refineAbout(mesh, {4300, 900}, 6, measured);
+    return mesh;
+}
+
+TEST(LaunchMesh, IsRefinedByWhatIsNewAsByAllThatThereIs) {
+    const bake::LaunchMesh byNew = refinedTwice(Measured::kOnlyNew), byAll = refinedTwice(Measured::kAll);
+    EXPECT_GT(byNew.nodes.size(), refinedMesh().nodes.size());
+    ASSERT_EQ(byNew.vertices.size(), byAll.vertices.size());
+    for (std::size_t i = 0; i < byNew.vertices.size(); ++i) EXPECT_EQ(byNew.vertices[i].place, byAll.vertices[i].place);
+    ASSERT_EQ(byNew.nodes.size(), byAll.nodes.size());
+    for (std::size_t i = 0; i < byNew.nodes.size(); ++i) EXPECT_EQ(byNew.nodes[i].fine, byAll.nodes[i].fine);
 }
 
 TEST(LaunchMesh, WhatOneSideOfAnEdgeHalvesForItselfConforms) {

@@ -47,7 +47,8 @@ test::Members viewBlockMembers() {
         EIKONAL_MEMBER(gpu::ViewBlock, lensSequence), EIKONAL_MEMBER(gpu::ViewBlock, lensRadius),
         EIKONAL_MEMBER(gpu::ViewBlock, focusDistance), EIKONAL_MEMBER(gpu::ViewBlock, halfWeight),
         EIKONAL_MEMBER(gpu::ViewBlock, lensHalf), EIKONAL_MEMBER(gpu::ViewBlock, sampleShare),
-        EIKONAL_MEMBER(gpu::ViewBlock, fewRays), EIKONAL_MEMBER(gpu::ViewBlock, padA), EIKONAL_MEMBER(gpu::ViewBlock, padB),
+        EIKONAL_MEMBER(gpu::ViewBlock, fewRays), EIKONAL_MEMBER(gpu::ViewBlock, stepsPerDispatch),
+        EIKONAL_MEMBER(gpu::ViewBlock, padA),
     };
 }
 

@@ -66,6 +66,7 @@ TEST(Portions, FitStorageBlocks) {
         const viewer::Portions ofGpu = viewer::portionsFor({.maxStorageBlockBytes = block});
         EXPECT_LE(ofGpu.rays * sizeof(gpu::PixelReflections), block);
         EXPECT_LE(ofGpu.rays * sizeof(gpu::RayState), block);
+        EXPECT_LE(ofGpu.rays, ofGpu.stepsOfDispatch) << "every ray makes a step";
         EXPECT_GT(ofGpu.rays, viewer::portionsFor({.maxStorageBlockBytes = block, .isProcessor = true}).rays);
     }
 }
