@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -113,6 +114,44 @@ void noteBake(const std::string& file, const BakeResult& result, const ProgramOp
                               size.z, result.statistics.seconds.total, worstBalance(result.statistics)));
 }
 
+/// The files of bakes, each written on a thread of its own while the next bake is made. Two bakes are in memory then.
+class BakeFiles {
+public:
+    BakeFiles(const BakeArguments& arguments, const ProgramOptions& options, const Scene& scene, const Fields& fields)
+        : arguments_(arguments), options_(options), scene_(scene), fields_(fields) {}
+
+    /// Begins to write a bake, after finish(). Throws as that does.
+    void write(int frame, std::shared_ptr<const BakeResult> result) {
+        finish();
+        begun_ = {frame, result};
+        written_ = std::async(std::launch::async, [this, frame, result] {
+            writeBakeFile(arguments_.outputOf(frame), scene_, fields_, *result,
+                          arguments_.isSequence() ? std::optional(frame) : std::nullopt);
+        });
+    }
+
+    /// Waits for the file that was begun and says that it is there. Throws what writing it threw.
+    void finish() {
+        if (written_.valid()) {
+            written_.get();
+            noteBake(arguments_.outputOf(begun_.frame), *begun_.result, options_);
+        }
+    }
+
+private:
+    struct Begun {
+        int frame = 0;
+        std::shared_ptr<const BakeResult> result;
+    };
+
+    const BakeArguments& arguments_;
+    const ProgramOptions& options_;
+    const Scene& scene_;
+    const Fields& fields_;
+    Begun begun_;
+    std::future<void> written_;  ///< last, for what it uses must outlive it
+};
+
 void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     requireOutputs(arguments);
     const Scene scene = sceneOf(arguments.scene);
@@ -132,19 +171,20 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     if (!arguments.statistics.empty() && !arguments.noEstimate) {
         secondLook.emplace(context, scene, fields, effects);
     }
+    BakeFiles files(arguments, options, scene, fields);
     std::vector<nlohmann::json> statistics;
     for (int frame = 0; frame < std::max(arguments.frames, 1); ++frame) {
         const LightSet placed = lightsAt(lights, frame);
-        const BakeResult result = arguments.perLight ? bakePerLight(simulator, placed) : simulator.bake(placed);
+        const auto result = std::make_shared<const BakeResult>(arguments.perLight ? bakePerLight(simulator, placed)
+                                                                                  : simulator.bake(placed));
         progress.finish();
-        writeBakeFile(arguments.outputOf(frame), scene, fields, result,
-                      arguments.isSequence() ? std::optional(frame) : std::nullopt);
-        noteBake(arguments.outputOf(frame), result, options);
-        statistics.push_back(bakeJson(result.statistics, effects));
+        files.write(frame, result);
+        statistics.push_back(bakeJson(result->statistics, effects));
         if (secondLook) {
-            statistics.back()["error_estimate"] = secondLook->estimateJson(placed, result.light);
+            statistics.back()["error_estimate"] = secondLook->estimateJson(placed, result->light);
         }
     }
+    files.finish();
     if (!arguments.statistics.empty()) {
         writeFile(arguments.statistics, statisticsJson(arguments, statistics).dump(2) + "\n");
     }

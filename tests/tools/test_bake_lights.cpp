@@ -66,6 +66,21 @@ TEST(BakeSequence, AnyFrameLightsThePictureOfItsScene) {
     EXPECT_EQ(result.exitCode, 0) << result.err;
 }
 
+/// Files are written while the next frame is baked.
+TEST(BakeSequence, EndsWithTheFileThatCannotBeWritten) {
+    for (const char* frames : {"2", "3"}) {
+        const TemporaryFolder folder;
+        const std::string scene = folder.write("scene.toml", kSmallScene + kMovingLamp);
+        std::filesystem::create_directory(folder.path() / "out_1.vdb");
+        const RunResult result = runEikonal(
+            {"bake", scene, "--frames", frames, "-o", folder.file("out_#.vdb"), "--stats", folder.file("s.json")});
+        EXPECT_EQ(result.exitCode, 1);
+        EXPECT_NE(result.err.find("out_1.vdb"), std::string::npos) << result.err;
+        EXPECT_EQ(folder.names(), (std::vector<std::string>{"out_0.vdb", "out_1.vdb", "scene.toml"}));
+        EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "out_1.vdb"));
+    }
+}
+
 TEST(BakeSequence, NeedsAPlaceForTheNumber) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.toml", kSmallScene);
