@@ -57,9 +57,30 @@ DenseGrid<float> formulaDistance(const Object& object, const Lattice& lattice, d
     return result;
 }
 
-DenseGrid<float> meshDistance(const Scene& scene, const Object& object, const Lattice& lattice, double bandVoxels) {
+bool isInside(const Bounds& box, const Lattice& lattice, const glm::dmat4& worldFromLocal) {
+    bool inside = true;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 local(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                               corner & 4 ? box.max.z : box.min.z);
+        const glm::dvec3 world(worldFromLocal * glm::dvec4(local, 1.0));
+        inside = inside && glm::all(glm::greaterThanEqual(world, lattice.min)) &&
+                 glm::all(glm::lessThanEqual(world, lattice.min + lattice.extent()));
+    }
+    return inside;
+}
+
+/// Distances to a mesh [voxels], and what is to be said of it.
+DenseGrid<float> meshDistance(const Scene& scene, const Object& object, const Lattice& lattice, double bandVoxels,
+                              std::vector<std::string>& warnings) {
     const SolidMesh solid = loadSolidMesh(scene.resolve(std::get<MeshShape>(object.shape).file));
-    DenseGrid<float> result = signedDistance(solid.mesh, lattice, object.worldFromLocal(), bandVoxels);
+    warnings = solid.report.messages;
+    const glm::dmat4 worldFromMesh = object.worldFromLocal();
+    DenseGrid<float> result = signedDistance(solid.mesh, lattice, worldFromMesh, bandVoxels);
+    if (isInside(boundsOf(solid.mesh), lattice, worldFromMesh)) {
+        const double volume = meshVolume(solid.mesh) * std::abs(glm::determinant(glm::dmat3(worldFromMesh)));
+        if (const auto warning = volumeWarning(voxelizedVolume(result, lattice.voxel), volume))
+            warnings.push_back(*warning);
+    }
     for (float& distance : result.values)
         distance = float(distance / lattice.voxel);
     return result;
@@ -118,7 +139,7 @@ ObjectLayer layerOf(const Scene& scene, const Object& object, std::size_t index,
         layer.extent = fieldExtent(object, lattice);
         layer.changesIndex = layer.changesIndex && object.ior.given;
     } else if (std::holds_alternative<MeshShape>(object.shape)) {
-        const DenseGrid<float> distance = meshDistance(scene, object, lattice, distanceBandVoxels(smoothVoxels));
+        const DenseGrid<float> distance = meshDistance(scene, object, lattice, distanceBandVoxels(smoothVoxels), layer.warnings);
         layer.extent = extentFromDistance(distance, smoothVoxels);
     } else {
         const DenseGrid<float> distance = formulaDistance(object, lattice, distanceBandVoxels(smoothVoxels));

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "common/lattice.h"
 #include "common/scene.h"
@@ -27,6 +28,7 @@ struct ObjectLayer {
     Extent extent;
     std::map<std::string, DenseGrid<glm::vec3>> grids;
     bool changesIndex = true;
+    std::vector<std::string> warnings;  ///< for the user, one line each
 
     const DenseGrid<glm::vec3>* grid(const std::string& name) const {
         const auto found = grids.find(name);

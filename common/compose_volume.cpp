@@ -27,6 +27,23 @@ std::string gridList(const VdbFile& file) {
     return text.empty() ? "no grids" : text;
 }
 
+/// Throws for a value that is no number, which nothing after this expects.
+void requireFinite(const VdbGrid& grid, const ObjectLayer& layer) {
+    const auto check = [&](const auto& dense) {
+        for (std::size_t v = 0; v < dense.values.size(); ++v) {
+            const glm::vec3 value(dense.values[v]);
+            if (std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z))
+                continue;
+            const std::size_t nx = std::size_t(dense.size.x), ny = std::size_t(dense.size.y);
+            const glm::dvec4 index(double(v % nx), double(v / nx % ny), double(v / (nx * ny)), 1.0);
+            const glm::dvec4 at = grid.worldFromIndex * index;
+            throw volumeError(layer, fmt::format("expected finite values in grid '{}', found one that is not at ({:g}, {:g}, {:g})",
+                                                 grid.name, at.x, at.y, at.z));
+        }
+    };
+    std::visit(check, grid.values);
+}
+
 /// The grid behind one of our names, or nullptr. Throws where the scene maps the name to a grid that is not there.
 const VdbGrid* findGrid(const VdbFile& file, const VolumeShape& shape, const std::string& name, ObjectLayer& layer) {
     const auto mapped = shape.grids.find(name);
@@ -121,6 +138,7 @@ const VdbGrid* resampleGrids(const VdbFile& file, const VolumeShape& shape, cons
         if (!grid || name == "density")
             continue;
         any = grid;
+        requireFinite(*grid, layer);
         layer.grids[name] = resample(PlacedGrid(*grid, layer.object->worldFromLocal(), lattice), lattice);
     }
     return any;
@@ -137,6 +155,8 @@ void fillVolumeLayer(const Scene& scene, const VolumeShape& shape, const Lattice
     if (!any && !shapeGrid)
         throw volumeError(layer, fmt::format("expected grids named ior, absorption, scattering, density, ... or a level "
                                              "set in {}, found {}", shape.file.string(), gridList(file)));
+    if (shapeGrid)
+        requireFinite(*shapeGrid, layer);
     const VdbGrid* ior = findGrid(file, shape, "ior", layer);
     if (ior)
         layer.grids["ior"] = gaussianBlur(layer.grids["ior"], object.smoothVoxels.value_or(0.0));

@@ -110,7 +110,8 @@ Answer decideDispersion(const Scene& scene, const Fields& fields) {
 }
 
 Answer decideEnvironment(const Scene& scene, const Fields&) {
-    const std::string what = scene.environment.image ? scene.environment.image->generic_string() : "a gradient";
+    const std::string what = scene.environment.image ? scene.environment.image->generic_string()
+                             : scene.environment.gradient[0] == scene.environment.gradient[1] ? "one colour" : "a gradient";
     return {true, "the background is " + what};
 }
 

@@ -27,6 +27,14 @@ Object backgroundOf(const Scene& scene) {
     return background;
 }
 
+void warnOf(const ObjectLayer& layer, Fields& fields) {
+    for (const std::string& message : layer.warnings)
+        fields.warnings.push_back(fmt::format("{}: {}", layer.label, message));
+    const std::vector<float>& area = layer.extent.area.values;
+    if (!area.empty() && std::all_of(area.begin(), area.end(), [](float share) { return share == 0.0f; }))
+        fields.warnings.push_back(fmt::format("{}: nothing of it lies in the domain", layer.label));
+}
+
 /// The objects of a scene that `isIncluded`.
 template <class IsIncluded>
 Fields composedOnDomain(const Scene& scene, const IsIncluded& isIncluded) {
@@ -37,8 +45,11 @@ Fields composedOnDomain(const Scene& scene, const IsIncluded& isIncluded) {
     const Object background = backgroundOf(scene);
     composeLayer(ObjectLayer{.object = &background, .label = "domain", .extent = {}, .grids = {}}, fields);
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
-        if (isIncluded(scene.objects[i]))
-            composeLayer(layerOf(scene, scene.objects[i], i, fields.lattice), fields);
+        if (isIncluded(scene.objects[i])) {
+            const ObjectLayer layer = layerOf(scene, scene.objects[i], i, fields.lattice);
+            warnOf(layer, fields);
+            composeLayer(layer, fields);
+        }
     finishFields(fields);
     requireIndexAt(fields, kLongestVisibleMicrons, scene.source);
     return fields;

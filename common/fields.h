@@ -38,6 +38,7 @@ struct Fields {
     DenseGrid<float> roughness;        ///< of boundaries, in their bands, 0 smooth; empty: all are smooth
     float iorUniform = 1.0f;           ///< n where iorGradient is empty
     std::vector<Inset> insets;         ///< over all of this, in the scene's order: in images alone
+    std::vector<std::string> warnings;  ///< of objects that are not what they seem, for the user, one line each
 };
 
 /// The domain box of a scene cut into voxels: counts round up, the box extends past `max`.

@@ -10,6 +10,7 @@
 
 #include "common/companion.h"
 #include "common/error.h"
+#include "common/file_kind.h"
 #include "common/output_file.h"
 
 namespace fs = std::filesystem;
@@ -112,8 +113,7 @@ void writeExr(const fs::path& path, const glm::ivec2& size, const std::vector<Im
 }
 
 void writeDisplay(const fs::path& path, const glm::ivec2& size, const std::vector<glm::vec3>& pixels) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string extension = extensionOf(path);
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg")
         throw Error(ExitCode::kUsage, fmt::format("{}: expected .exr, .png or .jpg, found '{}'", path.string(), extension));
     RawImage raw{size.x, size.y, {"R", "G", "B"}, {}};

@@ -101,7 +101,8 @@ public:
         std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
         std::string edited = text_;
         for (const Edit& edit : edits_) edited.replace(edit.begin, edit.end - edit.begin, edit.text);
-        return edited;
+        const bool midLine = !newTables_.empty() && !edited.empty() && edited.back() != '\n';
+        return edited + (midLine ? "\n" : "") + newTables_;
     }
 
 private:
@@ -119,15 +120,20 @@ private:
     void removeLines(std::size_t first, std::size_t last) { edits_.push_back({lines_.start(first), lines_.end(last), ""}); }
 
     void add(const toml::table* table, const std::string& header, const std::string& values) {
-        const std::size_t place = table ? lines_.end(lastLine(*table)) : text_.size();
+        if (!table) {
+            newTables_ += "\n" + header + "\n" + values;
+            return;
+        }
+        const std::size_t place = lines_.end(lastLine(*table));
         const bool midLine = place > 0 && text_[place - 1] != '\n';
-        edits_.push_back({place, place, (midLine ? "\n" : "") + (table ? values : "\n" + header + "\n" + values)});
+        edits_.push_back({place, place, (midLine ? "\n" : "") + values});
     }
 
     const std::string& text_;
     Lines lines_;
     const toml::table& root_;
     std::vector<Edit> edits_;
+    std::string newTables_;  // behind all of the text
 };
 
 std::string edited(const std::string& text, const std::filesystem::path& folder, const Scene& scene) {

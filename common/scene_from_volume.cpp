@@ -43,6 +43,8 @@ std::string sceneTextForVolume(const std::filesystem::path& volume) {
         throw badInput(fmt::format("{}: expected a float grid 'ior' to render, found {}", volume.string(),
                                    found.empty() ? "no grids" : found));
     }
+    if (ior->scalar().values.empty())
+        throw badInput(fmt::format("{}: expected active voxels in grid 'ior', found none", volume.string()));
     const Box box = worldBounds(*ior);
     const glm::dvec3 edges = ior->voxelSize();
     const glm::dvec3 extent = box.max - box.min;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -36,6 +39,12 @@ private:
     void mix(std::uint64_t value) { state_ = (state_ ^ value) * 0x100000001b3ull; }
     std::uint64_t state_ = 0xcbf29ce484222325ull;
 };
+
+/// Empty for a file that cannot be read, of which others tell.
+std::string contentsOf(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
 bool matters(const Scene& scene, const std::string& section, const std::string& key) {
     if (section == "camera")
@@ -79,6 +88,8 @@ std::string sceneHash(const Scene& scene, const Fields& fields) {
     hash.add(fields.emission);
     hash.add(fields.opaque);
     hash.add(fields.albedo);
+    if (scene.environment.bake && scene.environment.image)
+        hash.add(contentsOf(scene.resolve(*scene.environment.image)));
     return hash.digits();
 }
 

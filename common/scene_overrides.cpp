@@ -54,6 +54,15 @@ toml::node* step(toml::node& node, const std::string& part) {
     return table->get(part);
 }
 
+/// Why there is nothing at parts[i], whose parent `place` is.
+std::string nothingAt(const toml::node& place, const std::vector<std::string>& parts, std::size_t i) {
+    const toml::array* array = place.as_array();
+    if (!array)
+        return fmt::format("the scene has no '{}' to set a value of", parts[i]);
+    return fmt::format("expected the number, from 0, or the name of one of the scene's {} {}{}, found '{}'", array->size(),
+                       parts[i - 1], array->size() == 1 ? "" : "s", parts[i]);
+}
+
 } // namespace
 
 void applyOverride(toml::table& scene, const std::string& override) {
@@ -64,9 +73,10 @@ void applyOverride(toml::table& scene, const std::string& override) {
     const std::vector<std::string> parts = splitPath(override.substr(0, equals));
     toml::node* place = &scene;
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-        place = step(*place, parts[i]);
-        if (!place)
-            throw badInput(fmt::format("{}: the scene has no '{}' to set a value of", source, parts[i]));
+        toml::node* next = step(*place, parts[i]);
+        if (!next)
+            throw badInput(fmt::format("{}: {}", source, nothingAt(*place, parts, i)));
+        place = next;
     }
     toml::table* table = place->as_table();
     if (!table)

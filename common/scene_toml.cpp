@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "common/file_kind.h"
 #include "common/read_table.h"
 #include "common/scene_keys.h"
 #include "common/scene_overrides.h"
@@ -190,7 +191,11 @@ Scene parseScene(const std::string& text, const std::string& source, const std::
 }
 
 Scene loadScene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-    const std::string text = path.extension() == ".vdb" ? sceneTextForVolume(path) : readText(path);
+    if (isMeshFile(path))
+        throw badInput(fmt::format("{}: expected a scene or a VDB, found a mesh; `eikonal voxelize` makes a VDB of it, or a scene "
+                                   "says `[[object]]` and `mesh = \"{}\"`",
+                                   path.string(), path.filename().string()));
+    const std::string text = isVolumeFile(path) ? sceneTextForVolume(path) : readText(path);
     return parseScene(text, path.string(), path.parent_path(), overrides);
 }
 

@@ -79,8 +79,7 @@ std::string Limits::text() const {
 SourcePosition positionOf(const toml::node& node) {
     const toml::source_region& region = node.source();
     SourcePosition position;
-    if (region.path)
-        position.file = *region.path;
+    position.file = region.path ? *region.path : "--set";  // a table that it made has no place
     const bool onCommandLine = position.file.starts_with("--set ");  // line 1 of it says nothing
     if (!onCommandLine) {
         position.line = int(region.begin.line);

@@ -25,7 +25,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string didYouMean(std::string_view word, const std::vector<std::string_view>& candidates) {
     std::string_view best;
-    std::size_t bestDistance = std::max<std::size_t>(2, word.size() / 3) + 1;
+    std::size_t bestDistance = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (std::string_view candidate : candidates) {
         const std::size_t distance = editDistance(word, candidate);
         if (distance < bestDistance) {

@@ -53,15 +53,16 @@ void warnOfThinWalls(VoxelizedMesh& result, const Bounds& bounds, const Voxelize
                     0.5 * result.walls.thinnest));
 }
 
-void warnOfVolume(VoxelizedMesh& result) {
-    const double error = result.voxelizedVolume / result.meshVolume - 1.0;
-    if (std::abs(error) > 0.02)
-        result.warnings.push_back(fmt::format("the voxels' volume differs from the mesh's by {:+.1f} %: pieces of the mesh "
-                                              "overlap, or the resolution is too low",
-                                              100.0 * error));
-}
-
 } // namespace
+
+std::optional<std::string> volumeWarning(double voxelizedVolume, double meshVolume) {
+    const double error = voxelizedVolume / meshVolume - 1.0;
+    if (std::abs(error) <= 0.02)
+        return std::nullopt;
+    return fmt::format("the voxels' volume differs from the mesh's by {:+.1f} %: pieces of the mesh overlap, or the "
+                       "resolution is too low",
+                       100.0 * error);
+}
 
 Lattice latticeAround(const Bounds& bounds, const VoxelizeOptions& options) {
     validate(options);
@@ -113,7 +114,8 @@ VoxelizedMesh voxelize(const Mesh& closedMesh, const VoxelizeOptions& options) {
     result.meshVolume = meshVolume(closedMesh);
     result.voxelizedVolume = voxelizedVolume(distance, voxel);
     result.walls = wallThickness(closedMesh);
-    warnOfVolume(result);
+    if (auto warning = volumeWarning(result.voxelizedVolume, result.meshVolume))
+        result.warnings.push_back(std::move(*warning));
     warnOfThinWalls(result, bounds, options);
     return result;
 }

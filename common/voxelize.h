@@ -16,7 +16,7 @@ struct VoxelizeOptions {
     int resolution = 128;             ///< voxels along the grid's longest side, padding included; unused with voxelSize
     std::optional<double> voxelSize;  ///< [mesh units]
     double smoothVoxels = 1.5;        ///< width b of the boundary; 0: coverage by area
-    std::optional<glm::dvec3> absorption;  ///< [1 / mesh unit], per band
+    std::optional<glm::dvec3> absorption;  ///< [1 / scene unit], per band
     std::optional<int> paddingVoxels;  ///< around the mesh; unset: 4 b and one more, over which the boundary fades out
 };
 
@@ -37,6 +37,9 @@ Lattice latticeAround(const Bounds& bounds, const VoxelizeOptions& options);
 /// Coverage of a boundary of width b around the surface: erfc(d / (sqrt 2 b)) / 2; b = 0: by area within a voxel.
 /// `distance` and `b` in the same unit; `voxel` is used where b = 0.
 double coverageFromDistance(double distance, double b, double voxel);
+
+/// What to say where voxels do not hold what the mesh does, to 2 %; nothing where they do.
+std::optional<std::string> volumeWarning(double voxelizedVolume, double meshVolume);
 
 /// Throws Error kUsage for options out of range, badInput for a mesh that encloses no volume.
 VoxelizedMesh voxelize(const Mesh& closedMesh, const VoxelizeOptions& options);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <future>
 #include <memory>
 #include <optional>
@@ -27,6 +26,7 @@
 #include "tools/second_look.h"
 #include "tools/statistics_json.h"
 #include "tools/terminal.h"
+#include "tools/usage.h"
 
 namespace eikonal {
 
@@ -52,10 +52,7 @@ void requireFrontArguments(const BakeArguments& arguments) {
             throw CLI::ValidationError("--wavefront", fmt::format("expected optical times above 0, found {}", time));
         }
     }
-    if (std::filesystem::path(arguments.output).extension() != ".ply") {
-        throw CLI::ValidationError("--output", fmt::format("expected a name that ends in .ply with --wavefront, found '{}'",
-                                                           arguments.output));
-    }
+    requireExtension("--output with --wavefront", arguments.output, ".ply");
 }
 
 double worstBalance(const EnergyLedger& energy) {
@@ -82,6 +79,7 @@ void runFronts(const BakeArguments& arguments, const ProgramOptions& options) {
     Progress progress(options);
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
+    warnOf(fields.warnings, progress);
     const EffectSet effects = decideEffects(scene, fields);
     explainEffects(arguments.scene, effects, fields, progress);
     BakeOptions bakeOptions;
@@ -102,8 +100,11 @@ void requireOutputs(const BakeArguments& arguments) {
         throw CLI::ValidationError("--output", fmt::format("expected a name with #### in place of the frame's number, "
                                                            "found '{}'", arguments.output));
     }
+    requireExtension("--output", arguments.output, ".vdb");
+    requireApart("--output", arguments.outputOf(0), {arguments.scene.file, arguments.statistics});
     requireWritable(arguments.outputOf(0));
     if (!arguments.statistics.empty()) {
+        requireApart("--stats", arguments.statistics, {arguments.scene.file});
         requireWritable(arguments.statistics);
     }
 }
@@ -112,6 +113,9 @@ void noteBake(const std::string& file, const BakeResult& result, const ProgramOp
     const glm::ivec3& size = result.light.lattice.size;
     note(options, fmt::format("{}: {} x {} x {} voxels in {:.2f} s, energy balance within {:.1e}", file, size.x, size.y,
                               size.z, result.statistics.seconds.total, worstBalance(result.statistics)));
+    if (result.statistics.energy.entered == glm::dvec3(0.0)) {
+        warn(fmt::format("{}: no light enters the domain", file));
+    }
 }
 
 /// The files of bakes, each written on a thread of its own while the next bake is made. Two bakes are in memory then.
@@ -159,6 +163,7 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     Progress progress(options);
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
+    warnOf(fields.warnings, progress);
     requireVdbHolds(arguments.output, fields.lattice);
     const EffectSet effects = decideEffects(scene, fields);
     explainEffects(arguments.scene, effects, fields, progress);
@@ -209,7 +214,7 @@ void addBakeCommand(CLI::App& program, const ProgramOptions& options) {
         command->add_option("--frames", arguments->frames,
                             "bake frames 0 to N-1 of lights that move; #### in the output's name becomes the frame's number")
             ->type_name("N")
-            ->check(CLI::PositiveNumber);
+            ->check(aboveZero());
     CLI::Option* perLight =
         command->add_flag("--per-light", arguments->perLight, "simulate each light on its own and write its grids too");
     CLI::Option* eikonal =

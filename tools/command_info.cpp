@@ -8,11 +8,13 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "common/file_kind.h"
 #include "common/scene_summary.h"
 #include "common/stage_fields.h"
 #include "common/vdb_io.h"
 #include "tools/effect_table.h"
 #include "tools/scene_arguments.h"
+#include "tools/terminal.h"
 
 namespace eikonal {
 
@@ -24,8 +26,6 @@ struct InfoArguments {
     SceneArguments scene;
     bool asJson = false;
 };
-
-bool isVolume(const std::string& file) { return std::filesystem::path(file).extension() == ".vdb"; }
 
 /// Numbers in six digits, lists in parentheses, text without quotes.
 std::string plain(const json& value) {
@@ -62,6 +62,9 @@ void printVolume(const json& summary) {
         fmt::print("\n{} ({}, {})\n", plain(grid["name"]), plain(grid["type"]), plain(grid["class"]));
         fmt::print("  size: {} x {} x {} voxels, {} active\n", plain(size[0]), plain(size[1]), plain(size[2]),
                    plain(grid["active_voxels"]));
+        if (grid["active_voxels"] == 0) {
+            continue;
+        }
         fmt::print("  voxel: {}\n", plain(grid["voxel_size"]));
         fmt::print("  world box: {} to {}\n", plain(grid["world_min"]), plain(grid["world_max"]));
         fmt::print("  values: {} to {}, background {}\n", plain(grid["min"]), plain(grid["max"]),
@@ -70,12 +73,18 @@ void printVolume(const json& summary) {
     }
 }
 
-json summaryOf(const InfoArguments& arguments) {
-    if (isVolume(arguments.scene.file)) {
+/// A volume as a file, unless values are set of the scene that it makes.
+bool isAboutFile(const InfoArguments& arguments) { return isVolumeFile(arguments.scene.file) && arguments.scene.overrides.empty(); }
+
+json summaryOf(const InfoArguments& arguments, const ProgramOptions& options) {
+    if (isAboutFile(arguments)) {
         return vdbSummary(arguments.scene.file);
     }
     const Scene scene = sceneOf(arguments.scene);
-    return sceneSummary(scene, composeStageFields(scene));
+    const StageFields stages = composeStageFields(scene);
+    Progress progress(options);
+    warnOf(stages.light.fields->warnings, progress);
+    return sceneSummary(scene, stages);
 }
 
 void printInset(const json& inset) {
@@ -101,11 +110,11 @@ void printScene(const json& summary) {
     fmt::print("hash of what a bake depends on: {}\neffects:\n{}", plain(summary["hash"]), effectTable(summary["effects"]));
 }
 
-void runInfo(const InfoArguments& arguments) {
-    const json summary = summaryOf(arguments);
+void runInfo(const InfoArguments& arguments, const ProgramOptions& options) {
+    const json summary = summaryOf(arguments, options);
     if (arguments.asJson) {
         fmt::print("{}\n", summary.dump(2));
-    } else if (isVolume(arguments.scene.file)) {
+    } else if (isAboutFile(arguments)) {
         printVolume(summary);
     } else {
         printScene(summary);
@@ -114,14 +123,14 @@ void runInfo(const InfoArguments& arguments) {
 
 } // namespace
 
-void addInfoCommand(CLI::App& program, const ProgramOptions&) {
+void addInfoCommand(CLI::App& program, const ProgramOptions& options) {
     CLI::App* command = program.add_subcommand("info", "what a volume or a scene holds, and what a scene costs");
     auto arguments = std::make_shared<InfoArguments>();
     addSceneArguments(*command, arguments->scene);
     command->get_option("scene")->type_name("FILE")->description("a VDB or a scene (TOML)");
     command->add_flag("--json", arguments->asJson, "everything, as JSON");
     command->footer("Example:\n  eikonal info volumes/glass_sphere.toml --set domain.resolution=128");
-    command->callback([arguments] { runInfo(*arguments); });
+    command->callback([arguments, &options] { runInfo(*arguments, options); });
 }
 
 } // namespace eikonal

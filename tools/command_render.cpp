@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "common/file_kind.h"
 #include "common/gpu/context.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
@@ -22,6 +22,7 @@
 #include "tools/second_look.h"
 #include "tools/statistics_json.h"
 #include "tools/terminal.h"
+#include "tools/usage.h"
 #include "viewer/image_file.h"
 #include "viewer/render.h"
 
@@ -40,22 +41,18 @@ struct RenderArguments {
 
 constexpr std::array<std::string_view, 4> kExtensions{".exr", ".png", ".jpg", ".jpeg"};
 
-std::string lowerExtension(const std::string& file) {
-    std::string extension = std::filesystem::path(file).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
-}
-
 /// Empty if the name of an image ends as one that can be written, else what is wrong: a check of CLI11.
 std::string checkImageName(const std::string& file) {
-    const std::string extension = lowerExtension(file);
+    const std::string extension = extensionOf(file);
     const bool known = std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
     return known ? std::string() : fmt::format("expected a name that ends in .exr, .png or .jpg, found '{}'", file);
 }
 
 void requireOutputs(const RenderArguments& arguments) {
+    requireApart("--output", arguments.output, {arguments.scene.file, arguments.bake, arguments.statistics});
     requireWritable(arguments.output);
     if (!arguments.statistics.empty()) {
+        requireApart("--stats", arguments.statistics, {arguments.scene.file, arguments.bake});
         requireWritable(arguments.statistics);
     }
 }
@@ -116,6 +113,7 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     Progress progress(options);
     progress.update("composing fields", 0.0);
     const StageFields stages = composeStageFields(scene);
+    warnOf(stages.light.fields->warnings, progress);
     const Fields& fields = *stages.image.fields;
     const EffectSet& effects = stages.image.effects;
     explainEffects(arguments.scene, effects, fields, progress);

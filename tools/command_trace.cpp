@@ -11,6 +11,8 @@
 #include "common/output_file.h"
 #include "tools/ray_csv.h"
 #include "tools/scene_arguments.h"
+#include "tools/terminal.h"
+#include "tools/usage.h"
 #include "viewer/trace.h"
 
 namespace eikonal {
@@ -38,11 +40,14 @@ std::vector<TraceRay> traceRaysOf(const std::vector<RayRow>& rows) {
 }
 
 void runTrace(const TraceArguments& arguments, const ProgramOptions& options) {
+    requireApart("--output", arguments.output, {arguments.scene.file, arguments.rays});
     requireWritable(arguments.output);
     const Scene scene = sceneOf(arguments.scene);
     const std::vector<TraceRay> rays = traceRaysOf(readRayCsv(arguments.rays));
     const gpu::Context context = gpu::Context::windowless();
     const Fields fields = composeImageFields(scene);
+    Progress progress(options);
+    warnOf(fields.warnings, progress);
     const EffectSet effects = decideEffects(scene, fields);
     const std::string text = arguments.points
                                  ? pointsCsv(tracePaths(context, fields, effects, scene.accuracy, rays))

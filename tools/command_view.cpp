@@ -13,6 +13,7 @@
 #include "tools/frame_name.h"
 #include "tools/scene_arguments.h"
 #include "tools/terminal.h"
+#include "tools/usage.h"
 #include "tools/view_statistics.h"
 #include "viewer/window/turntable.h"
 #include "viewer/window/viewer.h"
@@ -83,7 +84,7 @@ void addViewCommand(CLI::App& program, const ProgramOptions& options) {
     command->add_option("--frame-ms", arguments->frameMilliseconds,
                         "what a frame may take while something moves, in milliseconds [33]")
         ->type_name("MS")
-        ->check(CLI::PositiveNumber);
+        ->check(aboveZero());
     command->add_option("--script", arguments->script, "replay recorded input (docs/viewer.md)")->type_name("FILE");
     command->add_option("--record", arguments->record, "write what is done in the window, to replay it")->type_name("FILE");
     command->add_option("--stats", arguments->statistics, "write how quickly the window answered, as JSON")->type_name("FILE.json");
@@ -93,7 +94,7 @@ void addViewCommand(CLI::App& program, const ProgramOptions& options) {
     CLI::Option* frames =
         command->add_option("--frames", arguments->frames, "no window: a turn around the scene in so many images")
             ->type_name("N")
-            ->check(CLI::PositiveNumber);
+            ->check(aboveZero());
     CLI::Option* out = command->add_option("--out", arguments->out, "names of those images, as in frames/####.png");
     frames->needs(out);
     out->needs(frames);

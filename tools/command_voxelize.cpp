@@ -8,6 +8,7 @@
 
 #include "common/output_file.h"
 #include "common/voxelize.h"
+#include "tools/usage.h"
 
 namespace eikonal {
 
@@ -41,6 +42,7 @@ void runVoxelize(VoxelizeArguments& arguments, const ProgramOptions& options) {
     if (!arguments.absorption.empty()) {
         arguments.voxels.absorption = {arguments.absorption[0], arguments.absorption[1], arguments.absorption[2]};
     }
+    requireExtension("--output", arguments.output, ".vdb");
     requireWritable(arguments.output);
     const SolidMesh solid = loadSolidMesh(arguments.mesh);
     reportMesh(arguments.mesh, solid.report, options);
@@ -66,7 +68,7 @@ void addVoxelizeCommand(CLI::App& program, const ProgramOptions& options) {
     command->add_option("--smooth", voxels.smoothVoxels, "width b of the boundary; 0: by area")
         ->type_name("VOXELS")
         ->capture_default_str();
-    command->add_option("--absorption", arguments->absorption, "also write absorption, per mesh unit and band")
+    command->add_option("--absorption", arguments->absorption, "also write absorption, by band [1 / scene unit]")
         ->type_name("R,G,B")
         ->delimiter(',')
         ->expected(3);

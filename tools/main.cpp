@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +19,7 @@
 #include "tools/command_view.h"
 #include "tools/command_voxelize.h"
 #include "tools/program.h"
+#include "tools/usage.h"
 
 namespace {
 
@@ -40,6 +42,14 @@ void addCommands(CLI::App& program, eikonal::ProgramOptions& options) {
     eikonal::addFigureCommand(program, options);
 }
 
+/// That is no option.
+std::string_view firstWord(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        if (argv[i][0] != '-') return argv[i];
+    }
+    return {};
+}
+
 ExitCode parseAndRun(int argc, char** argv) {
     CLI::App program("Light in continuously varying refractive media: bakes volume caustics, renders curved rays.",
                      "eikonal");
@@ -50,7 +60,7 @@ ExitCode parseAndRun(int argc, char** argv) {
     } catch (const CLI::Success& request) {
         program.exit(request);
     } catch (const CLI::ParseError& error) {
-        program.exit(error, std::cout, std::cerr);
+        eikonal::reportError(eikonal::usageMessage(program, error, firstWord(argc, argv)));
         return ExitCode::kUsage;
     }
     return ExitCode::kDone;

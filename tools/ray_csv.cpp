@@ -105,7 +105,7 @@ RayRow parseRow(std::string_view line, const ColumnPlaces& places, std::size_t c
     RayRow row;
     row.origin = {number(0), number(1), number(2)};
     row.direction = {number(3), number(4), number(5)};
-    if (!(glm::length(row.direction) > 0.0)) {
+    if (row.direction == glm::dvec3(0.0)) {
         throw place.error(fields[places[3]].column, "expected a direction (dx, dy, dz) other than zero");
     }
     if (places[6] != kAbsent) {

@@ -8,6 +8,7 @@
 
 #include "common/accuracy.h"
 #include "common/scene_toml.h"
+#include "tools/usage.h"
 
 namespace eikonal {
 
@@ -73,7 +74,7 @@ void addIntegerKey(CLI::App& command, SceneArguments& arguments, const SceneKeyO
     };
     command.add_option_function<int>(option.names, push, option.help)
         ->type_name(option.metavariable)
-        ->check(CLI::PositiveNumber);
+        ->check(aboveZero());
 }
 
 void addNumberKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option) {
@@ -82,7 +83,7 @@ void addNumberKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOp
     };
     command.add_option_function<double>(option.names, push, option.help)
         ->type_name(option.metavariable)
-        ->check(CLI::PositiveNumber);
+        ->check(aboveZero());
 }
 
 void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOption& option) {

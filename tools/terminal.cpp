@@ -56,4 +56,11 @@ void Progress::finish() {
     }
 }
 
+void warnOf(const std::vector<std::string>& warnings, Progress& progress) {
+    if (!warnings.empty()) progress.finish();
+    for (const std::string& warning : warnings) {
+        warn(warning);
+    }
+}
+
 } // namespace eikonal

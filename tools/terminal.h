@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tools/program.h"
 
@@ -35,5 +36,8 @@ private:
     std::string stage_;
     std::chrono::steady_clock::time_point lastDrawn_{};
 };
+
+/// Each as a line on stderr, after the line that is redrawn, with --quiet too.
+void warnOf(const std::vector<std::string>& warnings, Progress& progress);
 
 } // namespace eikonal

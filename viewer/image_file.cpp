@@ -1,8 +1,6 @@
 #include "viewer/image_file.h"
 
-#include <algorithm>
-#include <cctype>
-
+#include "common/file_kind.h"
 #include "common/scene_toml.h"
 #include "viewer/view.h"
 
@@ -47,9 +45,7 @@ ImageAttributes attributesOf(const RenderResult& image, const Scene& scene, cons
 }
 
 bool hasChannels(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension == ".exr";
+    return extensionOf(file) == ".exr";
 }
 
 void writeRendered(const std::filesystem::path& file, const RenderResult& image, const ImageAttributes& attributes) {

@@ -31,6 +31,12 @@ EffectSet tracedEffects(EffectSet effects, Boundaries boundaries) {
     return effects;
 }
 
+/// Whatever the length of what is given.
+glm::dvec3 directionOf(const TraceRay& ray) {
+    const glm::dvec3 size = glm::abs(ray.direction);
+    return glm::normalize(ray.direction / std::max({size.x, size.y, size.z}));
+}
+
 double wavelengthOf(const TraceRay& ray) { return ray.wavelengthMicrons.value_or(f64::kReferenceMicrons); }
 
 std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const Fields& fields,
@@ -38,6 +44,19 @@ std::optional<viewer::Clearance> clearanceFor(const gpu::Context& context, const
                                               StraightFlights flights) {
     if (flights == StraightFlights::kNone) return std::nullopt;
     return viewer::Clearance(context, fields, effects, {.tolerance = accuracy.tolerance});
+}
+
+/// As the device takes a ray: from near the domain, for single precision, wherever it starts. A ray that misses it by much does
+/// so by less.
+gpu::GivenRay givenRay(const TraceRay& ray, const Lattice& lattice) {
+    const glm::dvec3 direction = directionOf(ray);
+    const double reach = glm::length(lattice.extent());
+    const glm::dvec3 origin = deviceFromWorld(lattice, ray.origin);  // from the domain's middle
+    const double toMiddle = -glm::dot(origin, direction);
+    const glm::dvec3 beside = origin + toMiddle * direction;
+    const double near = std::min(reach / std::max(glm::length(beside), reach), 1.0);
+    const glm::dvec3 start = toMiddle > reach ? near * beside - reach * direction : origin;
+    return {glm::vec3(start), 0.0f, glm::vec3(direction), 0.0f};
 }
 
 /// How rays are followed.
@@ -88,9 +107,7 @@ struct Tracer {
     void start(std::span<const TraceRay> rays) {
         fields.setWavelength(wavelengthOf(rays.front()));
         std::vector<gpu::GivenRay> rows(rays.size());
-        std::transform(rays.begin(), rays.end(), rows.begin(), [this](const TraceRay& ray) {
-            return gpu::GivenRay{glm::vec3(deviceFromWorld(lattice, ray.origin)), 0.0f, glm::vec3(glm::normalize(ray.direction)), 0.0f};
-        });
+        std::transform(rays.begin(), rays.end(), rows.begin(), [this](const TraceRay& ray) { return givenRay(ray, lattice); });
         given.upload(std::span<const gpu::GivenRay>(rows));
         batch.view.rayCount = gpu::uint(rays.size());
         batch.bind();

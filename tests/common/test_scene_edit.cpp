@@ -74,6 +74,18 @@ TEST(SceneEdit, RemovesTheKeyframesOfALightThatWasDragged) {
     EXPECT_EQ(resolvedToml(sceneOf(edited)), resolvedToml(scene));
 }
 
+TEST(SceneEdit, AddsValuesToTheLastTableAndTablesBehindIt) {
+    const std::string text = "[[object]]\n[[light]]  # the sun\n";
+    for (const std::string& ending : {std::string(), std::string("# the end"), std::string("# the end\n")}) {
+        const std::vector<std::string> overrides{"light.0.irradiance=[9, 9, 9]", "camera.position=[1, 1, 3]", "medium.scattering=0.4",
+                                                 "render.samples=9"};
+        const std::string edited = editedToml(text + ending, ".", sceneOf(text + ending, overrides));
+        EXPECT_EQ(edited.rfind("[[object]]\n[[light]]  # the sun\nirradiance = ", 0), 0u) << edited;
+        EXPECT_NE(edited.find(ending), std::string::npos) << edited;
+        EXPECT_EQ(resolvedToml(sceneOf(edited)), resolvedToml(sceneOf(text, overrides)));
+    }
+}
+
 TEST(SceneEdit, SaysWhatItIsAskedToAfterManyChanges) {
     const std::vector<std::string> overrides{"object.0.ior=1.25", "object.0.absorption=0", "medium.scattering=0.4",
                                              "light.0.power=[7, 7, 7]", "render.samples=9", "render.effects=[\"refraction\"]",

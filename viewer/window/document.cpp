@@ -1,8 +1,6 @@
 #include "viewer/window/document.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -12,6 +10,7 @@
 
 #include "common/accuracy.h"
 #include "common/error.h"
+#include "common/file_kind.h"
 #include "common/mesh.h"
 #include "common/scene_edit.h"
 #include "common/scene_toml.h"
@@ -19,19 +18,6 @@
 namespace eikonal::window {
 
 namespace {
-
-constexpr std::array<std::string_view, 5> kMeshExtensions{".obj", ".ply", ".stl", ".gltf", ".glb"};
-
-std::string lowerExtension(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
-}
-
-bool isMesh(const std::filesystem::path& file) {
-    const std::string extension = lowerExtension(file);
-    return std::find(kMeshExtensions.begin(), kMeshExtensions.end(), extension) != kMeshExtensions.end();
-}
 
 std::string vectorText(const glm::dvec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 
@@ -81,7 +67,7 @@ glm::ivec2 sizeIn(const std::string& text, const Scene& scene) {
 }
 
 Scene sceneOf(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-    Scene scene = isMesh(file) ? parseScene(sceneTextForMesh(file), file.string(), file.parent_path(), overrides)
+    Scene scene = isMeshFile(file) ? parseScene(sceneTextForMesh(file), file.string(), file.parent_path(), overrides)
                                : loadScene(file, overrides);
     requireAvailable(scene);
     return scene;
@@ -90,7 +76,7 @@ Scene sceneOf(const std::filesystem::path& file, const std::vector<std::string>&
 } // namespace
 
 bool isEnvironmentMap(const std::filesystem::path& file) {
-    const std::string extension = lowerExtension(file);
+    const std::string extension = extensionOf(file);
     return extension == ".hdr" || extension == ".exr";
 }
 
@@ -139,7 +125,7 @@ std::vector<std::filesystem::path> Document::files() const {
 
 std::string Document::textFor(const std::filesystem::path& folder) const {
     Scene scene = movedTo(folder, scene_);
-    if (file_.extension() != ".toml") return resolvedToml(scene);
+    if (extensionOf(file_) != ".toml") return resolvedToml(scene);
     std::ifstream file(file_, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     scene.render.size = sizeIn(text, scene_);

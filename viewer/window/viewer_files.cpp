@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "common/error.h"
+#include "common/file_kind.h"
 #include "common/image_io.h"
 #include "common/output_file.h"
 #include "common/scene_toml.h"
@@ -93,12 +94,12 @@ void Viewer::saveStill() {
 
 void Viewer::save(const std::filesystem::path& name) {
     const std::filesystem::path file = scene().folder / name;
-    if (file.extension() == ".vdb") {
+    if (isVolumeFile(file)) {
         if (!document_.wantsLight()) throw badInput("save: expected a scene with matter that shows light, found none to save");
         lightFileWanted_ = file;
         return say(fmt::format("{} is written once the light is refined", file.string()), false);
     }
-    if (file.extension() != ".toml") {
+    if (extensionOf(file) != ".toml") {
         throw badInput(fmt::format("save: expected a name that ends in .toml, or .vdb for the light, found '{}'", name.string()));
     }
     writeFile(file, document_.textFor(file.parent_path()));
