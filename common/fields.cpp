@@ -32,7 +32,7 @@ void warnOf(const ObjectLayer& layer, Fields& fields) {
         fields.warnings.push_back(fmt::format("{}: {}", layer.label, message));
     const std::vector<float>& area = layer.extent.area.values;
     if (!area.empty() && std::all_of(area.begin(), area.end(), [](float share) { return share == 0.0f; }))
-        fields.warnings.push_back(fmt::format("{}: nothing of it lies in the domain", layer.label));
+        fields.warnings.push_back(fmt::format("{}: no voxel of the domain has any of it: it lies outside, or is too small", layer.label));
 }
 
 /// The objects of a scene that `isIncluded`.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 
 #include <unistd.h>
@@ -188,6 +189,38 @@ TEST_F(FieldsOfFiles, VolumesThatAreNoneSayWhatTheyHold) {
     EXPECT_NE(inScene.find("found 'temperature' (float)"), std::string::npos) << inScene;
     const std::string bare = messageOf([&] { loadScene(folder_ / "v.vdb"); });
     EXPECT_NE(bare.find("expected a float grid 'ior'"), std::string::npos) << bare;
+}
+
+/// Most of what reads a grid takes its values for numbers: an infinite one once ended the program.
+TEST_F(FieldsOfFiles, GridsWithValuesThatAreNoNumbersSayWhere) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const char* name : {"ior", "density", "absorption"}) {
+        for (const float wrong : {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}) {
+            DenseGrid<float> grid(kLattice.size, 1.3f);
+            grid.at(3, 5, 7) = wrong;
+            write("v.vdb", kLattice, {{name, &grid, glm::vec3(1.0f), VdbClass::kUnknown}});
+            const std::string message = messageOf([&] { fields("[domain]\nresolution = 16\n[[object]]\nvolume = \"v.vdb\"\n"); });
+            EXPECT_NE(message.find(std::string("finite values in grid '") + name), std::string::npos) << message;
+            EXPECT_NE(message.find("(-0.78125, -0.65625, -0.53125)"), std::string::npos) << message;
+        }
+    }
+}
+
+TEST_F(FieldsOfFiles, WhatMeshesAreMendedOfAndWhatLiesOutsideIsSaid) {
+    Mesh open = generateIcosphere(3);
+    writeObj(folder_ / "ball.obj", open);
+    open.triangles.pop_back();
+    writeObj(folder_ / "open.obj", open);
+    const std::string domain = "[domain]\nresolution = 40\n[[object]]\n";
+    EXPECT_TRUE(fields(domain + "mesh = \"ball.obj\"\nscale = 0.6\n").warnings.empty());
+    const auto mended = fields(domain + "mesh = \"open.obj\"\nscale = 0.6\n").warnings;
+    ASSERT_EQ(mended.size(), 1u);
+    EXPECT_EQ(mended[0].rfind("object 0: 3 open edges around 1 hole", 0), 0u) << mended[0];
+    const auto outside = fields(domain + "name = \"moon\"\ntranslate = [5, 0, 0]\n").warnings;
+    ASSERT_EQ(outside.size(), 1u);
+    EXPECT_EQ(outside[0].rfind("object 'moon': no voxel of the domain has any of it", 0), 0u) << outside[0];
+    EXPECT_EQ(fields(domain + "radius = 0.001\n").warnings.size(), 1u) << "too small";
+    EXPECT_TRUE(fields(domain + "radius = 0.03\n").warnings.empty()) << "small, but there";
 }
 
 } // namespace

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include <unistd.h>
+
+#include "common/image_io.h"
 #include "common/scene_hash.h"
 #include "tests/common/scene_text.h"
 
@@ -51,6 +55,21 @@ TEST(SceneHash, ContentsOfFieldsCount) {
     const std::string hash = sceneHash(scene, fields);
     fields.ior.values[17] += 1e-6f;
     EXPECT_NE(hash, sceneHash(scene, fields));
+}
+
+TEST(SceneHash, ContentsOfAnEnvironmentThatLightsTheBakeCount) {
+    const auto folder = std::filesystem::temp_directory_path() / ("eikonal_hash_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    const auto hashWithSky = [&](float radiance, const std::string& bake) {
+        const std::vector<float> values(8 * 4, radiance);
+        writeExr(folder / "sky.exr", {8, 4}, {{"R", &values}, {"G", &values}, {"B", &values}}, {});
+        const Scene scene = parseScene("[environment]\nimage = \"sky.exr\"\nbake = " + bake + "\n", "a.toml", folder);
+        return sceneHash(scene, composeFields(scene));
+    };
+    EXPECT_EQ(hashWithSky(1.0f, "true"), hashWithSky(1.0f, "true"));
+    EXPECT_NE(hashWithSky(1.0f, "true"), hashWithSky(5.0f, "true"));
+    EXPECT_EQ(hashWithSky(1.0f, "false"), hashWithSky(5.0f, "false"));
+    std::filesystem::remove_all(folder);
 }
 
 TEST(SceneHash, NamesTheKeysThatDiffer) {

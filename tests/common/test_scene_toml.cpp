@@ -192,9 +192,11 @@ TEST(SceneToml, OverridesAreCheckedLikeTheFile) {
     EXPECT_EQ(errorOf(text, {"domain.resolution=-1"}),
               "--set domain.resolution=-1: domain.resolution: expected an integer from 1 to 4096, found integer -1");
     EXPECT_TRUE(contains(errorOf(text, {"domain.resolutoin=4"}), "did you mean 'resolution'?"));
-    EXPECT_TRUE(contains(errorOf(text, {"object.3.ior=1.4"}), "the scene has no '3'"));
-    EXPECT_TRUE(contains(errorOf(text, {"object.bell.ior=1.4"}), "the scene has no 'bell'"));
+    EXPECT_TRUE(contains(errorOf(text, {"object.3.ior=1.4"}), "one of the scene's 1 object, found '3'"));
+    EXPECT_TRUE(contains(errorOf(text, {"object.bell.ior=1.4"}), "one of the scene's 1 object, found 'bell'"));
     EXPECT_TRUE(contains(errorOf(text, {"light.0.power=[1,1,1]"}), "the scene has no 'light'"));
+    EXPECT_TRUE(contains(errorOf(text, {"domian.min=[0, 0, 0]"}), "--set: unknown section 'domian', did you mean 'domain'?"));
+    EXPECT_TRUE(contains(errorOf(text, {"camera.up=[0, 0, 1]"}), "--set: camera: "));
     EXPECT_TRUE(contains(errorOf(text, {"domain"}), "wrong exit code")) << "usage, not input";
 }
 

@@ -139,6 +139,10 @@ static const std::vector<BadCase> kSceneCases{
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"bake", f.file("nowhere.toml"), "-o", f.file("out.vdb")};
      }},
+    {"MeshInPlaceOfAScene", 3, "eikonal voxelize",
+     [](const TemporaryFolder& f) {
+         return std::vector<std::string>{"render", f.write("ball.obj", "v 0 0 0\n"), "-o", f.file("out.png")};
+     }},
     {"UnknownKey", 3, "scene.toml:2:1",
      [](const TemporaryFolder& f) { return bakeOf(f, "[domain]\nresolutoin = 32\n"); }},
     {"UnknownKeyHasASuggestion", 3, "resolution",

@@ -44,6 +44,10 @@ TEST(RayCsv, ReadsColumnsByName) {
     EXPECT_EQ(rows[0].wavelengthNm, 550.0);
 }
 
+TEST(RayCsv, DirectionsMayBeOfAnyLength) {
+    EXPECT_EQ(parse("x,y,z,dx,dy,dz\n0,0,0,0,1e-200,0\n")[0].direction, glm::dvec3(0, 1e-200, 0));
+}
+
 TEST(RayCsv, AHeaderAloneIsNoRays) { EXPECT_TRUE(parse("x,y,z,dx,dy,dz\n").empty()); }
 
 TEST(RayCsv, NamesThePlaceOfAnError) {

@@ -69,16 +69,39 @@ TEST(Usage, WrongUsageExitsWith2AndSaysWhy) {
         {"view", scene, "--frames", "3"},
         {"view", scene, "--frames", "3", "--out", folder.file("out.png")},
         {"trace", scene, "-o", folder.file("out.csv")},
+        {"bake", scene, "-o", folder.file("out.png")},
+        {"bake", scene, "-o", scene},
+        {"bake", scene, "-o", folder.file("out.vdb"), "--stats", folder.file("out.vdb")},
+        {"bake", scene, "-o", folder.file("out.vdb"), "--stats", scene},
+        {"bake", scene, "-o", folder.file("out.vdb"), "--frames", "0"},
+        {"render", scene, "-o", folder.file("out.png"), "--stats", folder.file("./out.png")},
+        {"render", scene, "-o", folder.file("out.png"), "--samples", "0"},
+        {"voxelize", folder.file("a.ply"), "-o", folder.file("a.ply")},
         {"info"},
     };
     for (const auto& arguments : wrong) {
         const RunResult result = runEikonal(arguments);
         const std::string shown = testing::PrintToString(arguments);
         EXPECT_EQ(result.exitCode, 2) << shown << result.err;
-        EXPECT_NE(result.err, "") << shown;
+        EXPECT_EQ(result.err.rfind("error: ", 0), 0u) << shown << result.err;
+        EXPECT_LT(result.err.size(), 400u) << shown << result.err;
         EXPECT_EQ(result.out, "") << shown;
     }
     EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.toml"});
+}
+
+TEST(Usage, AWordThatIsNoCommandIsNamed) {
+    const RunResult result = runEikonal({"--quiet", "rendr"});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_TRUE(contains(result.err, "found 'rendr', did you mean 'render'?")) << result.err;
+}
+
+TEST(Usage, WarnsOfLightThatMissesTheDomain) {
+    const TemporaryFolder folder;
+    const std::string lit = folder.write("lit.toml", kSmallScene);
+    const std::string dark = folder.write("dark.toml", "[domain]\nresolution = 8\n");
+    EXPECT_FALSE(contains(runEikonal({"bake", lit, "-o", folder.file("a.vdb")}).err, "warning: "));
+    EXPECT_TRUE(contains(runEikonal({"bake", dark, "-o", folder.file("b.vdb")}).err, "warning: ")) << "no light at all";
 }
 
 TEST(Usage, QuietSilencesProgressBeforeAndAfterTheCommand) {

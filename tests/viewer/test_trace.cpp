@@ -223,6 +223,25 @@ TEST(Trace, StraightRaysKeepDirectionAndMeasureTheBox) {
     EXPECT_EQ(results[3].direction, glm::dvec3(0.0, 0.0, 1.0));
 }
 
+/// The device knows single precision only: it takes rays from near the domain.
+TEST(Trace, RaysMayComeFromAfarAndHaveDirectionsOfAnyLength) {
+    const Fields fields = test::uniformFields(test::cube(16, 1.0));
+    for (const double far : {3.0, 1e3, 1e6, 1e9, 1e12}) {
+        for (const double length : {1e-200, 1.0, 1e300}) {
+            const auto results = traced(fields, {{{-far, 0.25 - far, 0.0}, {length, length, 0.0}},   // through
+                                                 {{-far, 2.25 - far, 0.0}, {length, length, 0.0}},   // past it
+                                                 {{-far, -2.0 * far, 0.0}, {length, length, 0.0}}});  // far past it
+            // What is left of y = x + 0.25 in a double so far away.
+            const double tolerance = 1e-6 + 4e-16 * far;
+            EXPECT_EQ(results[0].status, TraceStatus::kExited) << far << " " << length;
+            EXPECT_NEAR(results[0].position.x, 0.75, tolerance) << far << " " << length;
+            EXPECT_NEAR(results[0].position.y, 1.0, tolerance) << far << " " << length;
+            EXPECT_EQ(results[1].status, TraceStatus::kMissed) << far << " " << length;
+            EXPECT_EQ(results[2].status, TraceStatus::kMissed) << far << " " << length;
+        }
+    }
+}
+
 TEST(Trace, NoRaysAndOneVoxelAreFine) {
     const Fields fields = test::uniformFields(test::cube(1, 1.0));
     EXPECT_TRUE(traced(fields, {}).empty());
