@@ -8,6 +8,7 @@
 // rays of their own: they conform to the edge. The same holds sample by sample along the tracks, so that a node can be
 // deposited whole at those steps at which nothing in it is off.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -85,17 +86,24 @@ public:
     Samples liveSamples(std::uint32_t vertex) const;
     /// Corners, middles of sides and centre, row by row.
     void verticesOf(std::uint32_t node, std::uint32_t (&out)[9]) const;
-    /// Calls visit(quarter, vertex) for the four corners of each of a node's four sub-cells.
+    /// Calls visit(quarter, corners) for each of a node's four sub-cells: (u0, v0), (u1, v0), (u0, v1), (u1, v1).
     template <class Visit>
-    void forEachQuarterCorner(std::uint32_t node, const Visit& visit) const {
+    void forEachQuarter(std::uint32_t node, const Visit& visit) const {
         std::uint32_t own[9];
         verticesOf(node, own);
         for (int quarter = 0; quarter < 4; ++quarter) {
             const int low = quarter % 2 + 3 * (quarter / 2);
-            for (const int corner : {low, low + 1, low + 3, low + 4}) {
-                visit(quarter, own[corner]);
-            }
+            visit(quarter, std::array<std::uint32_t, 4>{own[low], own[low + 1], own[low + 3], own[low + 4]});
         }
+    }
+    /// Calls visit(quarter, vertex) for the corners of these.
+    template <class Visit>
+    void forEachQuarterCorner(std::uint32_t node, const Visit& visit) const {
+        forEachQuarter(node, [&](int quarter, const std::array<std::uint32_t, 4>& corners) {
+            for (const std::uint32_t corner : corners) {
+                visit(quarter, corner);
+            }
+        });
     }
     /// Launch coordinates in [-1, 1]².
     static glm::vec2 launchOf(const MeshVertex& vertex, const LaunchFrame& frame);

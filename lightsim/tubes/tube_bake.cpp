@@ -135,7 +135,7 @@ ReflectedLight TubeBake::follow(const LightPath& path, const Deposits& deposits,
         const CellRange range = waiting.back();
         waiting.pop_back();
         const auto cells = std::span(pathCells).subspan(range.first, range.count);
-        TubeBatch batch(kernels_, *grids_, cells, capacity_);
+        TubeBatch batch(kernels_, *grids_, fields_.lattice, cells, capacity_);
         std::uint32_t window = 0;
         if (bake(batch, range, deposits, window)) {
             countBatch(batch, cells.size());

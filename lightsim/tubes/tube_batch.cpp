@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "lightsim/tubes/power_of_rays.h"
+
 namespace eikonal::bake {
 
 namespace {
@@ -21,9 +23,9 @@ std::uint32_t frameOfCell(const LaunchGrids& grids, std::uint32_t cell) {
 
 } // namespace
 
-TubeBatch::TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, std::span<const std::uint32_t> cells,
+TubeBatch::TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, const Lattice& domain, std::span<const std::uint32_t> cells,
                      std::uint32_t capacity)
-    : kernels_(kernels), grids_(grids), capacity_(capacity), rootCount_(std::uint32_t(cells.size())),
+    : kernels_(kernels), grids_(grids), domain_(domain), capacity_(capacity), rootCount_(std::uint32_t(cells.size())),
       isDone_(cells.size(), 0) {
     mesh_.reserve(capacity);
     for (const std::uint32_t cell : cells) {
@@ -272,37 +274,6 @@ std::uint64_t TubeBatch::deposit(const Deposits& deposits) {
     return jobs.size();
 }
 
-/// Each sub-cell of a leaf gives a quarter of its power to each of its corners; a vertex that is no ray gives what it gets
-/// to its parents.
-std::vector<glm::dvec4> TubeBatch::vertexPowers() const {
-    std::vector<glm::dvec4> powers(mesh_.vertices.size(), glm::dvec4(0.0));
-    std::vector<std::uint32_t> byDepth(powers.size());
-    for (std::uint32_t i = 0; i < byDepth.size(); ++i) {
-        byDepth[i] = i;
-    }
-    std::stable_sort(byDepth.begin(), byDepth.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return mesh_.vertices[a].depth > mesh_.vertices[b].depth;
-    });
-    for (std::uint32_t index = 0; index < mesh_.nodes.size(); ++index) {
-        const MeshNode& node = mesh_.nodes[index];
-        if (!node.isLeaf()) {
-            continue;
-        }
-        const glm::dvec4 strength(grids_.frames[mesh_.vertices[node.corners[0]].frame].strength, 0.0);
-        mesh_.forEachQuarterCorner(index, [&](int quarter, std::uint32_t vertex) {
-            powers[vertex] += strength * (0.25 * node.launchShare[quarter]);
-        });
-    }
-    for (const std::uint32_t i : byDepth) {
-        if (!mesh_.vertices[i].isRay) {
-            powers[mesh_.vertices[i].parents[0]] += 0.5 * powers[i];
-            powers[mesh_.vertices[i].parents[1]] += 0.5 * powers[i];
-            powers[i] = glm::dvec4(0.0);
-        }
-    }
-    return powers;
-}
-
 /// Cell by cell, so that what else is in the batch makes no difference.
 bool TubeBatch::isFinished(double share) {
     std::vector<double> remaining(mesh_.vertices.size());
@@ -333,7 +304,7 @@ bool TubeBatch::isFinished(double share) {
 }
 
 void TubeBatch::tally() {
-    const std::vector<glm::dvec4> powers = vertexPowers();
+    const std::vector<glm::dvec4> powers = powerOfRays(mesh_, grids_, domain_);
     const std::vector<glm::vec4> rounded(powers.begin(), powers.end());
     kernels_.tally(rounded);
 }

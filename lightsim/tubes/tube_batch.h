@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "common/lattice.h"
 #include "lightsim/emit.h"
 #include "lightsim/tubes/launch_mesh.h"
 #include "lightsim/tubes/tube_kernels.h"
@@ -12,7 +13,8 @@ namespace eikonal::bake {
 class TubeBatch {
 public:
     /// `cells`: numbers among those of all launch grids.
-    TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, std::span<const std::uint32_t> cells, std::uint32_t capacity);
+    TubeBatch(TubeKernels& kernels, const LaunchGrids& grids, const Lattice& domain, std::span<const std::uint32_t> cells,
+              std::uint32_t capacity);
 
     void begin(std::uint32_t window);  ///< of optical path
     void propagate();                  ///< all rays through the window
@@ -40,10 +42,10 @@ private:
     Samples stepsNear(std::uint32_t node) const;
     Samples bentSteps(std::uint32_t node) const;
     void findBends();
-    std::vector<glm::dvec4> vertexPowers() const;
 
     TubeKernels& kernels_;
     const LaunchGrids& grids_;
+    const Lattice& domain_;
     std::uint32_t capacity_;
     LaunchMesh mesh_;
     std::uint32_t rootCount_;

@@ -4,6 +4,7 @@
 #include "lightsim/share.glsl"
 #include "physics/ray.glsl"
 #include "physics/box.glsl"
+#include "physics/launch.glsl"
 #include "physics/fresnel.glsl"
 #include "physics/boundary.glsl"
 #include "physics/attenuation.glsl"
@@ -26,23 +27,18 @@ float launchShareOf(LaunchFrame frame, vec3 direction) {
 Particle particleAtLaunch(LaunchFrame frame, vec2 launch) {
     Particle particle;
     vec3 offset = frame.a * launch.x + frame.b * launch.y;
-    vec3 target = frame.centre + offset;
-    vec3 direction = frame.origin;
+    bool isPoint = frame.isPoint != 0u;
+    LaunchLine line = launchLine(isPoint, frame.origin, frame.centre, frame.axis, offset);
+    vec3 direction = line.direction;
     float targetPath = frame.phase;  // optical path at the target
-    float sourceDistance = 1.0e30;
-    if (frame.isPoint != 0u) {
-        vec3 toTarget = frame.axis + offset;
-        sourceDistance = length(toTarget);
-        direction = toTarget / sourceDistance;
+    if (isPoint) {
         // |axis + offset| - |axis| without cancellation: frames are built with offset perpendicular to axis
-        targetPath += dot(offset, offset) / (sourceDistance + length(frame.axis));
+        targetPath += dot(offset, offset) / (line.sourceDistance + length(frame.axis));
     }
-    BoxSpan span = boxSpan(target, direction, domain.min, domain.max);
-    const float kAhead = 0.9999;  // a source on a face: what leaves it outwards does so at once, but for rounding
-    bool meetsDomain = span.enter < span.leave && span.leave > -kAhead * sourceDistance;
-    particle.status = meetsDomain ? PARTICLE_WAITING : PARTICLE_MISSED;
+    BoxSpan span = boxSpan(line.target, direction, domain.min, domain.max);
+    particle.status = meetsDomain(line, span) ? PARTICLE_WAITING : PARTICLE_MISSED;
     particle.enterPath = max(targetPath + span.enter, 0.0);  // 0: the source is inside
-    particle.x = target - direction * targetPath;
+    particle.x = line.target - direction * targetPath;
     particle.w = direction;
     particle.xPrevious = particle.x;
     particle.throughputS = 1.0;

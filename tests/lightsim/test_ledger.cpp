@@ -1,4 +1,6 @@
 // Energy: what enters is absorbed, scattered, reflected or leaves, and the written grid says the same independently.
+#include <numbers>
+
 #include "tests/lightsim/bake_scenes.h"
 
 namespace eikonal {
@@ -15,6 +17,25 @@ TEST(Ledger, BalancesAndAgreesWithTheGrid) {
         EXPECT_NEAR(energy.depositedScattered[band], energy.scattered[band], 0.005 * energy.scattered[band]);
         EXPECT_GT(energy.reflected[band], 0.0);
         EXPECT_LT(energy.culled[band], 0.005 * energy.entered[band]);  // light caught in total reflection
+    }
+}
+
+/// Rays about the rim of the domain, as the light sees it, stand for what meets it: not for all of their cells or for nothing.
+TEST(Ledger, CountsWhatMeetsTheDomain) {
+    const double towardsCorner = 4.0 * std::sqrt(3.0);                 // the box's projection
+    const double fromAbove = 10.0 * std::asin(0.5) / std::numbers::pi;  // 4 asin(1/2) sr are the upper face's
+    for (const int resolution : {8, 16, 32}) {
+        const Lattice lattice = test::cube(resolution, 1.0);
+        Fields fields = test::uniformFields(lattice);
+        fields.sigmaS = DenseGrid<glm::vec3>(lattice.size, glm::vec3(0.2f));
+        const auto expectEntered = [&](const Light& light, double power) {
+            const EnergyLedger energy = test::bake(test::sceneWith(light), fields).statistics.energy;
+            // 16 x 16 places of each cell that the rim crosses: as a row along it, a thirty-second of such a cell at most.
+            EXPECT_NEAR(energy.entered.x, power, 1e-3 * power) << resolution;
+            EXPECT_NEAR(energy.balance().x, 0.0, 1e-6) << resolution;
+        };
+        expectEntered(DirectionalLight{glm::normalize(glm::dvec3(1.0)), glm::dvec3(1.0)}, towardsCorner);
+        expectEntered(PointLight{.position = {0.0, 2.0, 0.0}, .power = glm::dvec3(10.0), .keyframes = {}}, fromAbove);
     }
 }
 
