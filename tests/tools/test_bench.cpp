@@ -44,6 +44,19 @@ TEST(Bench, SpeedGivesThreeRatesAndTheirShares) {
     EXPECT_GT(std::stod(table[3][1]), 0.0);
 }
 
+TEST(Bench, SpeedWritesATableAndBars) {
+    const test::TemporaryFolder folder;
+    const auto run = test::runEikonal({"bench", "speed", folder.write("s.toml", kScene), "--repeats", "1", "-o", folder.file("speed.csv"),
+                                       "--svg", folder.file("speed.svg")});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(run.out, "");
+    const Table table = tableOf(test::readText(folder.file("speed.csv")));
+    ASSERT_EQ(table.size(), 4u);
+    const std::string svg = test::readText(folder.file("speed.svg"));
+    EXPECT_EQ(svg.rfind("<svg ", 0), 0u);
+    for (const char* bar : {"fetches alone", "every step", "with flights"}) EXPECT_NE(svg.find(bar), std::string::npos) << bar;
+}
+
 TEST(Bench, SpeedNeedsAnIndexThatVaries) {
     const test::TemporaryFolder folder;
     const auto run = test::runEikonal({"bench", "speed", folder.write("s.toml", "[domain]\nresolution = 8\n")});

@@ -1,6 +1,5 @@
 #include "tools/bench/bench_effects.h"
 
-#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -9,11 +8,11 @@
 
 #include "common/gpu/context.h"
 #include "common/interrupt.h"
-#include "common/output_file.h"
 #include "common/stage_fields.h"
 #include "lightsim/bake.h"
 #include "tools/bench/bar_chart.h"
 #include "tools/bench/effect_ladder.h"
+#include "tools/bench/table_files.h"
 #include "tools/scene_arguments.h"
 #include "tools/terminal.h"
 
@@ -23,8 +22,7 @@ namespace {
 
 struct LadderArguments {
     SceneArguments scene;
-    std::string output;  ///< empty: stdout
-    std::string svg;
+    bench::TableFiles files;
     int repeats = 3;
 };
 
@@ -38,14 +36,8 @@ std::string ladderSvg(const std::vector<bench::Rung>& rungs, const std::string& 
     return bench::barChartSvg("Seconds of an image, effect by effect: " + scene, bars);
 }
 
-void requireOutputs(const LadderArguments& arguments) {
-    for (const std::string& file : {arguments.output, arguments.svg}) {
-        if (!file.empty()) requireWritable(file);
-    }
-}
-
 void runLadder(const LadderArguments& arguments, const ProgramOptions& options) {
-    requireOutputs(arguments);
+    bench::requireWritable(arguments.files);
     const Scene scene = sceneOf(arguments.scene);
     const gpu::Context context = gpu::Context::windowless();
     Progress progress(options);
@@ -66,14 +58,7 @@ void runLadder(const LadderArguments& arguments, const ProgramOptions& options) 
     const auto rungs = bench::climbLadder(context, scene, *stages.image.fields, effects, light ? &*light : nullptr, arguments.repeats,
                                           report("rendering"));
     progress.finish();
-    if (arguments.output.empty()) {
-        std::cout << bench::ladderCsv(rungs);
-    } else {
-        writeFile(arguments.output, bench::ladderCsv(rungs));
-    }
-    if (!arguments.svg.empty()) {
-        writeFile(arguments.svg, ladderSvg(rungs, arguments.scene.file));
-    }
+    bench::write(arguments.files, bench::ladderCsv(rungs), ladderSvg(rungs, arguments.scene.file));
 }
 
 } // namespace
@@ -82,8 +67,7 @@ void addBenchEffects(CLI::App& bench, const ProgramOptions& options) {
     CLI::App* command = bench.add_subcommand("effects", "what each effect adds to the cost of an image");
     auto arguments = std::make_shared<LadderArguments>();
     addSceneArguments(*command, arguments->scene);
-    command->add_option("-o,--output", arguments->output, "CSV to write [stdout]")->type_name("FILE.csv");
-    command->add_option("--svg", arguments->svg, "bars of the seconds")->type_name("FILE.svg");
+    bench::addTableFiles(*command, arguments->files, "bars of the seconds");
     addSizeKey(*command, arguments->scene, {"--size", "render.size", "WxH", "pixels [the scene's]"});
     command->add_option("--repeats", arguments->repeats, "images of each; the shortest time counts")
         ->capture_default_str()

@@ -1,6 +1,5 @@
 #include "tools/bench/bench_speed.h"
 
-#include <iostream>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -8,7 +7,9 @@
 
 #include "common/fields.h"
 #include "common/gpu/context.h"
+#include "tools/bench/bar_chart.h"
 #include "tools/bench/march_rates.h"
+#include "tools/bench/table_files.h"
 #include "tools/scene_arguments.h"
 
 namespace eikonal {
@@ -17,27 +18,36 @@ namespace {
 
 struct SpeedArguments {
     SceneArguments scene;
+    bench::TableFiles files;
     int repeats = 5;
 };
 
-void printRates(const bench::MarchRates& rates, const std::string& device) {
-    const auto print = [&](const char* name, const bench::Rate& rate) {
-        fmt::print("{},{:.0f},{:.6f},{:.2f},{:.3f}\n", name, rate.count, rate.seconds, 1e-6 * rate.perSecond(),
-                   rate.perSecond() / rates.fetches.perSecond());
+std::string ratesCsv(const bench::MarchRates& rates, const std::string& device) {
+    const auto row = [&](const char* name, const bench::Rate& rate) {
+        return fmt::format("{},{:.0f},{:.6f},{:.2f},{:.3f}\n", name, rate.count, rate.seconds, 1e-6 * rate.perSecond(),
+                           rate.perSecond() / rates.fetches.perSecond());
     };
-    fmt::print("# {}; {:.0f} rays\n", device, rates.rays);
-    fmt::print("kernel,fetches,seconds,million_per_second,share\n");
-    print("dependent_fetches", rates.fetches);
-    print("march_steps", rates.stepping);
-    print("march_flights", rates.flying);
+    return fmt::format("# {}; {:.0f} rays\nkernel,fetches,seconds,million_per_second,share\n", device, rates.rays) +
+           row("dependent_fetches", rates.fetches) + row("march_steps", rates.stepping) + row("march_flights", rates.flying);
+}
+
+std::string ratesSvg(const bench::MarchRates& rates, const std::string& scene) {
+    const auto bar = [&](const char* label, const bench::Rate& rate) {
+        return bench::Bar{label, rate.perSecond(),
+                          fmt::format("{:.0f} M/s, {:.1f} M in {:.3f} s", 1e-6 * rate.perSecond(), 1e-6 * rate.count, rate.seconds)};
+    };
+    return bench::barChartSvg("Fetches of the index a second: " + scene,
+                              {bar("fetches alone", rates.fetches), bar("every step", rates.stepping),
+                               bar("with flights", rates.flying)});
 }
 
 void runSpeed(const SpeedArguments& arguments, const ProgramOptions& options) {
+    bench::requireWritable(arguments.files);
     const Scene scene = sceneOf(arguments.scene);
     const gpu::Context context = gpu::Context::windowless();
     const Fields fields = composeImageFields(scene);
     const bench::MarchRates rates = bench::measureMarchRates(context, scene, fields, arguments.repeats);
-    printRates(rates, context.rendererName());
+    bench::write(arguments.files, ratesCsv(rates, context.rendererName()), ratesSvg(rates, arguments.scene.file));
     note(options, fmt::format("marching has {:.0f} % of the rate of dependent fetches; flights need {:.1f} times fewer",
                               100.0 * rates.stepping.perSecond() / rates.fetches.perSecond(),
                               rates.stepping.count / rates.flying.count));
@@ -47,15 +57,16 @@ void runSpeed(const SpeedArguments& arguments, const ProgramOptions& options) {
 
 void addBenchSpeed(CLI::App& bench, const ProgramOptions& options) {
     CLI::App* command =
-        bench.add_subcommand("speed", "marching with refraction only against the machine's own limit, as CSV");
+        bench.add_subcommand("speed", "marching with refraction only against the machine's own limit");
     auto arguments = std::make_shared<SpeedArguments>();
     addSceneArguments(*command, arguments->scene);
+    bench::addTableFiles(*command, arguments->files, "bars of the rates");
     addSizeKey(*command, arguments->scene, {"--size", "render.size", "WxH", "rays, one a pixel [the scene's]"});
     command->add_option("--repeats", arguments->repeats, "times that each is measured; the shortest counts")
         ->capture_default_str()
         ->type_name("N")
         ->check(CLI::Range(1, 1000));
-    command->footer("Example:\n  eikonal bench speed volumes/glass_sphere.toml --set domain.resolution=128");
+    command->footer("Example:\n  eikonal bench speed volumes/glass_sphere.toml -o speed.csv --svg speed.svg");
     command->callback([arguments, &options] { runSpeed(*arguments, options); });
 }
 
