@@ -27,21 +27,11 @@ std::string gridList(const VdbFile& file) {
     return text.empty() ? "no grids" : text;
 }
 
-/// Throws for a value that is no number, which nothing after this expects.
+/// Throws for a value that is no finite number, which nothing after this expects.
 void requireFinite(const VdbGrid& grid, const ObjectLayer& layer) {
-    const auto check = [&](const auto& dense) {
-        for (std::size_t v = 0; v < dense.values.size(); ++v) {
-            const glm::vec3 value(dense.values[v]);
-            if (std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z))
-                continue;
-            const std::size_t nx = std::size_t(dense.size.x), ny = std::size_t(dense.size.y);
-            const glm::dvec4 index(double(v % nx), double(v / nx % ny), double(v / (nx * ny)), 1.0);
-            const glm::dvec4 at = grid.worldFromIndex * index;
-            throw volumeError(layer, fmt::format("expected finite values in grid '{}', found one that is not at ({:g}, {:g}, {:g})",
-                                                 grid.name, at.x, at.y, at.z));
-        }
-    };
-    std::visit(check, grid.values);
+    if (const auto at = grid.placeThatIsNotFinite())
+        throw volumeError(layer, fmt::format("expected finite values in grid '{}', found one that is not at ({:g}, {:g}, {:g})",
+                                             grid.name, at->x, at->y, at->z));
 }
 
 /// The grid behind one of our names, or nullptr. Throws where the scene maps the name to a grid that is not there.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,6 +36,8 @@ struct VdbGrid {
     glm::ivec3 size() const;
     /// Edges of a voxel in world space along the three index axes [scene units].
     glm::dvec3 voxelSize() const;
+    /// Where the first value lies that is no finite number [scene units]; nothing where all are.
+    std::optional<glm::dvec3> placeThatIsNotFinite() const;
 };
 
 struct VdbFile {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/error.h"
+#include "common/scene_limits.h"
 #include "common/vdb_io.h"
 
 namespace eikonal {
@@ -18,8 +19,8 @@ constexpr int kMaxResolution = 2048;
 Error outOfRange(const std::string& what) { return Error(ExitCode::kUsage, what); }
 
 void validate(const VoxelizeOptions& options) {
-    if (!(options.ior > 0.0) || !std::isfinite(options.ior))
-        throw outOfRange(fmt::format("expected a refractive index above 0, found {}", options.ior));
+    if (!(options.ior > kLeastIor && options.ior < kLargestIor))
+        throw outOfRange(fmt::format("expected a refractive index above {} and below {}, found {}", kLeastIor, kLargestIor, options.ior));
     if (!(options.smoothVoxels >= 0.0 && options.smoothVoxels <= 16.0))
         throw outOfRange(fmt::format("expected a boundary width of 0 to 16 voxels, found {}", options.smoothVoxels));
     if (options.voxelSize && !(*options.voxelSize > 0.0 && std::isfinite(*options.voxelSize)))

@@ -102,6 +102,12 @@ BakedLight readBakeFile(const std::filesystem::path& path, const Scene& scene, c
     const VdbFile file = readVdb(path);
     const VdbGrid& irradiance = vectorGrid(file, path, "irradiance");
     const VdbGrid& direction = vectorGrid(file, path, "light_direction");
+    for (const VdbGrid& grid : file.grids) {
+        if (const auto at = grid.placeThatIsNotFinite()) {
+            throw badInput(fmt::format("{}: expected finite values in grid '{}', found one that is not at ({:g}, {:g}, {:g})",
+                                       path.string(), grid.name, at->x, at->y, at->z));
+        }
+    }
     if (irradiance.size() != direction.size()) {
         throw badInput(fmt::format("{}: expected 'irradiance' and 'light_direction' of one size, found two",
                                    path.string()));

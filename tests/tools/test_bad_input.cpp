@@ -103,6 +103,15 @@ static const std::vector<BadCase> kVolumeCases{
          return std::vector<std::string>{"render", f.write("scene.toml", kSmallScene), "--bake", writeTruncatedVdb(f),
                                          "-o", f.file("out.png")};
      }},
+    {"BakeWithNan", 3, "finite values in grid 'irradiance'",
+     [](const TemporaryFolder& f) {
+         const Lattice lattice{.min = glm::dvec3(-1.0), .voxel = 0.25, .size = glm::ivec3(8)};
+         DenseGrid<glm::vec3> light(lattice.size, glm::vec3(1.0f));
+         light.at(1, 2, 3).y = std::numeric_limits<float>::quiet_NaN();
+         writeVdb(f.path() / "nan.vdb", lattice, {{"irradiance", &light}, {"light_direction", &light}}, {});
+         return std::vector<std::string>{"render", f.write("scene.toml", kSmallScene), "--bake", f.file("nan.vdb"), "--force", "-o",
+                                         f.file("out.png")};
+     }},
     {"VdbThatIsNoBake", 3, "irradiance",
      [](const TemporaryFolder& f) {
          return std::vector<std::string>{"render", f.write("scene.toml", kSmallScene), "--bake", writeSmallVdb(f),
