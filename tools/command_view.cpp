@@ -67,6 +67,7 @@ void runWindow(const ViewArguments& arguments) {
         fmt::print("{}\n", line);
         std::fflush(stdout);
     };
+    options.warn = warn;
     options.saveLight = [](const std::filesystem::path& file, const Scene& scene, const Fields& fields, const BakeResult& light) {
         writeBakeFile(file, scene, fields, light);
     };

@@ -119,6 +119,13 @@ TEST(Turntable, BeginsWithTheScenesViewAndHasItsOppositeHalfWay) {
     }
 }
 
+TEST_F(WindowTest, SaysOnStderrWhatARecordingAskedForInVain) {
+    const RunResult result = view("0 set camera.fov=500\n1 set camera.fov=50\n2 quit\n");
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_NE(result.err.find("warning: --set camera.fov=500: "), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("camera.fov=50:"), std::string::npos) << result.err;
+}
+
 TEST_F(WindowTest, SaysWhatIsWrongWithARecordingAndWithoutAScreen) {
     const RunOptions noScreen{.environment = {"DISPLAY=", "WAYLAND_DISPLAY="}};
     const RunResult wrong = runEikonal({"view", scene, "--script", folder.write("script.rec", "0 jump\n")}, noScreen);

@@ -22,6 +22,7 @@ struct ViewOptions {
     double frameSeconds = 0.033;         ///< what a frame may take while something moves
     std::string creator;                 ///< that written images name
     std::function<void(const std::string&)> print;  ///< a line for the person: the camera, what was saved
+    std::function<void(const std::string&)> warn;   ///< what an event of the script asked for in vain, beside the window's message
     /// Writes the light of a scene to a file. May throw Error.
     std::function<void(const std::filesystem::path&, const Scene&, const Fields&, const BakeResult&)> saveLight;
 };

@@ -126,6 +126,7 @@ void Viewer::attempt(const std::function<void()>& action) {
 void Viewer::say(const std::string& text, bool isError) {
     message_ = text;
     messageIsError_ = isError;
+    if (isError && script_ && options_.warn) options_.warn(text);  // nobody looks at the window then
 }
 
 } // namespace eikonal::window
