@@ -241,7 +241,10 @@ std::vector<TracePoint> tracePaths(const gpu::Context& context, const Fields& fi
     }
     std::vector<TracePoint> points;
     for (std::size_t row = 0; row < paths.size(); ++row) {
-        for (const TraceResult& at : paths[row]) points.push_back({row, at});
+        for (const TraceResult& at : paths[row]) {
+            points.push_back({row, at});
+            points.back().at.status = paths[row].back().status;
+        }
     }
     context.throwIfError();
     return points;

@@ -34,7 +34,7 @@ struct TraceResult {
 
 struct TracePoint {
     std::size_t ray = 0;  ///< row of the input
-    TraceResult at;       ///< status kExited while the ray is under way
+    TraceResult at;       ///< with the status that the ray ends with
 };
 
 /// Whether rays cross places where nothing bends them in one flight, or step through everything.

@@ -280,6 +280,17 @@ TEST(TraceCommand, PointsBeginAndEndWhereTheRayDoes) {
     EXPECT_NEAR(std::stod(rows.back().at(1)), 1.0, 1e-6);
 }
 
+TEST(TraceCommand, PointsSayHowTheirRayEnds) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene + "[[object]]\nopaque = true\nradius = 0.2\ntranslate = [0.7, 0, 0]\n");
+    const std::string rays = folder.write("rays.csv", "x,y,z,dx,dy,dz\n-3,0,0,1,0,0\n-3,0.9,0,1,0,0\n-3,5,0,1,0,0\n");
+    ASSERT_EQ(runEikonal({"trace", scene, "--rays", rays, "--points", "-o", folder.file("points.csv")}).exitCode, 0);
+    const std::vector<std::string> ends{"absorbed", "exited", "missed"};
+    const auto rows = csvRows(readText(folder.file("points.csv")));
+    ASSERT_GT(rows.size(), 10u);
+    for (std::size_t row = 1; row < rows.size(); ++row) EXPECT_EQ(rows[row].at(13), ends.at(std::stoul(rows[row].at(0)))) << row;
+}
+
 TEST(TraceCommand, ARayThereAndBackIsTheSameRay) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.toml", kSmallScene);
