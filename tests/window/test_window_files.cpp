@@ -82,7 +82,8 @@ TEST_F(WindowTest, ABrokenFileKeepsThePictureAndSaysSoUntilItIsMended) {
     expectGoodWhileReplacing({{"good.png", scene, "[domain\n"}, {"eikonal_0001.exr", scene, kSmallScene}},
                              kWithoutPanels + "0 wait\n0 screenshot good.png\n0 changed\n2 wait\n2 screenshot broken.png\n"
                                               "3 key f12 down\n3 key f12 up\n3 wait\n3 changed\n5 wait\n"
-                                              "5 screenshot mended.png\n6 quit\n");
+                                              "5 screenshot mended.png\n6 quit\n",
+                             {}, "not a scene file");
     EXPECT_LT(rmsDifference(still(1), rendered()), kStillTolerance) << "the picture of the scene before";
     EXPECT_EQ(errorPixels(folder.file("good.png")), 0);
     EXPECT_GT(errorPixels(folder.file("broken.png")), 100) << "a line of text";
@@ -91,7 +92,8 @@ TEST_F(WindowTest, ABrokenFileKeepsThePictureAndSaysSoUntilItIsMended) {
 
 TEST_F(WindowTest, ADroppedFileThatIsBrokenKeepsThePictureToo) {
     const std::string broken = folder.write("broken.toml", "[domain\n");
-    expectGood(kWithoutPanels + "0 wait\n0 drop " + broken + "\n2 wait\n2 screenshot broken.png\n3 key f12 down\n3 wait\n4 quit\n");
+    expectGood(kWithoutPanels + "0 wait\n0 drop " + broken + "\n2 wait\n2 screenshot broken.png\n3 key f12 down\n3 wait\n4 quit\n",
+               {}, "broken.toml:1:8: not a scene file");
     EXPECT_LT(rmsDifference(still(1), rendered()), kStillTolerance);
     EXPECT_GT(errorPixels(folder.file("broken.png")), 100) << "a line of text";
 }
@@ -107,7 +109,7 @@ TEST_F(WindowTest, KernelsThatChangeAreCompiledAgainAndBrokenOnesAreNot) {
     expectGoodWhileReplacing({{"own.png", kernel, red}, {"red.png", kernel, "void main() {"}},
                              kWithoutPanels + "0 wait\n0 screenshot own.png\n0 changed\n1 wait\n1 screenshot red.png\n"
                                               "1 changed\n3 wait\n3 screenshot broken.png\n4 quit\n",
-                             {"--shaders", shaders});
+                             {"--shaders", shaders}, "picture.comp.glsl");
     const glm::ivec2 besideText(140, 60);
     const auto colourIn = [&](const char* name) { return readImage(folder.file(name)).at(besideText.x, besideText.y); };
     const glm::vec3 pureRed(1.0f, 0.0f, 0.0f);

@@ -21,13 +21,14 @@ protected:
 
     /// `more`: arguments; `options.launcher` comes between the virtual screen and the program.
     RunResult view(const std::string& script, const std::vector<std::string>& more = {}, RunOptions options = {}) const;
-    void expectGood(const std::string& script, const std::vector<std::string>& more = {}) const;
+    /// Whatever ends well says nothing on stderr but a warning of what the script asks for `inVain`, if anything.
+    void expectGood(const std::string& script, const std::vector<std::string>& more = {}, const std::string& inVain = {}) const;
     /// Replaces files by others as soon as the screenshot that stands for each is there.
     struct Replacement {
         std::string screenshot, file, text;
     };
     void expectGoodWhileReplacing(const std::vector<Replacement>& replacements, const std::string& script,
-                                  const std::vector<std::string>& more = {}) const;
+                                  const std::vector<std::string>& more = {}, const std::string& inVain = {}) const;
 
     ChannelImage still(int number) const;
     ChannelImage rendered(const std::vector<std::string>& more = {}) const;

@@ -42,9 +42,11 @@ struct Light {
     vec3 flux;
 };
 
-// A part, and what a linear guess of the place of a sample in it takes. Lengths in spacings of samples, places by their numbers.
+// A part, and what a linear guess of the place of a sample in it takes. Lengths in spacings of samples, places by their numbers from
+// a voxel of its cell on.
 struct Gather {
     Part part;
+    vec3 origin;         // of that voxel [voxels]
     vec3 perCut;         // over cuts along u, v, t
     Trilinear map;
     CornerVolumes volumes;
@@ -55,10 +57,11 @@ struct Gather {
 };
 
 // About its middle the map is linear but for products of two and of three coordinates, each at most a half.
-Gather gatherOf(Part part, Trilinear map) {
+Gather gatherOf(Part part, Trilinear map, vec3 origin) {
     const float kRounding = 1.0e-3;
     Gather gather;
     gather.part = part;
+    gather.origin = origin;
     gather.perCut = 1.0 / vec3(part.cuts);
     gather.volumes = cornerVolumesOf(part.cell);
     float across = float(samplesAcross());
@@ -130,21 +133,23 @@ struct Box {
     vec3 first, end;
 };
 
-// About a part, as far as it is in the slab.
-Box boxOf(Trilinear map) {
+// About a part whose map is from `origin` on, as far as it is in the slab.
+Box boxOf(Trilinear map, vec3 origin) {
     Box box = Box(vec3(1.0e30), vec3(-1.0e30));
     for (int i = 0; i < 8; ++i) {
         vec3 x = placeIn(map, vec3(ivec3(i & 1, i >> 1 & 1, i >> 2)));
         box.first = min(box.first, x);
         box.end = max(box.end, x);
     }
-    box.first = max(box.first, vec3(0.0, 0.0, float(settings.slabBegin)));
-    box.end = min(box.end, vec3(domain.size.xy, settings.slabEnd));
+    box.first = max(box.first, vec3(0.0, 0.0, float(settings.slabBegin)) - origin);
+    box.end = min(box.end, vec3(domain.size.xy, settings.slabEnd) - origin);
     return box;
 }
 
+// With those that rounding may leave out.
 Box samplesIn(Box box) {
-    return Box(ceil(numberOfSample(box.first)), floor(numberOfSample(box.end)) + 1.0);
+    const float kRounding = 1.0e-3;
+    return Box(ceil(numberOfSample(box.first) - kRounding), floor(numberOfSample(box.end) + kRounding) + 1.0);
 }
 
 // The map to numbers of samples.
@@ -212,10 +217,6 @@ Row withSamples(Row row, Rows rows) {
     return row;
 }
 
-ivec3 voxelOf(vec3 sampleNumber) {
-    return ivec3(placeOfSample(sampleNumber));
-}
-
 // Adds what samples bring: those of a row in a voxel together, one such stretch after the other of row after row in one loop.
 // Invocations wait for the one that has most to do in either loop.
 void gatherFrom(Box box, Gather gather, CornerLight corners, uint firstRow) {
@@ -225,9 +226,10 @@ void gatherFrom(Box box, Gather gather, CornerLight corners, uint firstRow) {
     Rows rows = rowsOf(gather, box);
     Row row = withSamples(rowAt(rowsOn(box.first.yz, float(firstRow), rows), rows), rows);
     for (int i = 0; i < most && row.number.y < box.end.z; ++i) {
-        ivec3 voxel = voxelOf(vec3(row.next, row.number));
+        vec3 fromOrigin = floor(placeOfSample(vec3(row.next, row.number)));
+        ivec3 voxel = ivec3(gather.origin + fromOrigin);
         bool takes = takesLight(voxel) && hasSamples(voxel);
-        float end = min(row.end, float(voxel.x + 1) * across);
+        float end = min(row.end, (fromOrigin.x + 1.0) * across);
         float share = sampleShareIn(voxel);
         Light light = lightOf(gather, corners, row.number, takes ? row.next : end, end, share);
         if (brightestOf(light.powerLength) > 0.0) {
@@ -260,15 +262,19 @@ void main() {
     }
     uint packed_ = listedPart(kList, index);
     Part part = unpackedPart(packed_);
-    Trilinear map = partOf(mapOf(part.cell), part.cuts, part.index);
-    Box box = boxOf(map);
+    // Neighbours look at the same sample from either side of their face: far from 0 rounding could give it to both or to neither.
+    vec3 origin = floor(cornerOf(part.cell, 0).xyz);
+    Trilinear map = mapOf(part.cell);
+    map.c000 -= origin;
+    map = partOf(map, part.cuts, part.index);
+    Box box = boxOf(map, origin);
 #if defined(EFFECT_OPAQUE) && !defined(CUT_VOXELS)
-    if (firstRow == 0u && meetsCutVoxel(box.first, box.end)) {
+    if (firstRow == 0u && meetsCutVoxel(box.first + origin, box.end + origin)) {
         listPart(TUBE_CUT_LIST, packed_);
     }
 #endif
     Box samples = samplesIn(box);
     if (all(lessThan(samples.first, samples.end))) {
-        gatherFrom(samples, gatherOf(part, numbered(map)), cornerLightOf(part.cell), firstRow);
+        gatherFrom(samples, gatherOf(part, numbered(map), origin), cornerLightOf(part.cell), firstRow);
     }
 }
