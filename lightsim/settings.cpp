@@ -131,8 +131,9 @@ TubeSettings tubeSettingsOf(const Accuracy& accuracy, const Fields& fields) {
     settings.maxShareDeviation = float(0.01 * refinement);
     // Closer together than that, what is on either side of a shadow's edge makes no difference to a voxel.
     settings.resolvedSide = float(0.5 * voxel);
-    // There, what is misplaced about the focus is 0.66 % of the light at 0.6, 0.47 % at 0.3 and 0.33 % at 0.2.
-    settings.maxUnevenness = float(0.2 * refinement);
+    // There, what is misplaced about the focus is 0.66 % of the light at 0.6, 0.47 % at 0.3 and 0.33 % at 0.2. Samples err by a
+    // square of it, lines by chance: when it fell with the tolerance a lamp was in lines to 16 voxels from it, 3 % off at 0.001.
+    settings.maxUnevenness = float(0.2 * std::max(refinement, 1.0));
     // Most of what a voxel's mean errs by: 3 along each axis at the default, 4 at half of what tubes go by, 2 above. With 2 the
     // default takes an eighth of the time less and errs by a fifth more on the glass sphere, more on smooth fronts; with 3 drafts
     // take a third of the time more, with 1 a seventh less and err twice as much.

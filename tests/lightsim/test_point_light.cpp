@@ -42,6 +42,18 @@ TEST(PointLight, FallsWithTheSquareOfDistance) {
     EXPECT_LE(errors.direction, 0.005);       // 0.3 away a voxel spans 6 degrees: its mean direction is shorter by 0.1 %
 }
 
+/// Once the light about a lamp was left to lines the farther from it the finer the tolerance was, and they err by chance.
+TEST(PointLight, ErrsNoMoreAtAFinerTolerance) {
+    const PointLight light{{0.1, 0.2, 0.3}, glm::dvec3(10.0)};
+    Scene scene = test::sceneWith(light);
+    for (const double tolerance : {0.02, 0.005, 0.002}) {
+        scene.accuracy.tolerance = tolerance;
+        const BakeResult result = test::bake(scene, test::uniformFields(test::cube(32, 1.0)));
+        const Errors errors = errorsAround(light, result.light, 0.32, 1.2);  // five voxels off and more
+        EXPECT_LE(errors.rms, 0.003) << tolerance;  // (h/r)²/12 is as much at the least distance
+    }
+}
+
 TEST(PointLight, ScalesWithPower) {
     const Fields fields = test::uniformFields(test::cube(24, 1.0));
     const BakeResult one = test::bake(test::sceneWith(PointLight{{0.1, 0.2, 0.3}, glm::dvec3(1.0)}), fields);
