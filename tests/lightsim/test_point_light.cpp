@@ -50,7 +50,8 @@ TEST(PointLight, ErrsNoMoreAtAFinerTolerance) {
         scene.accuracy.tolerance = tolerance;
         const BakeResult result = test::bake(scene, test::uniformFields(test::cube(32, 1.0)));
         const Errors errors = errorsAround(light, result.light, 0.32, 1.2);  // five voxels off and more
-        EXPECT_LE(errors.rms, 0.003) << tolerance;  // (h/r)²/12 is as much at the least distance
+        // At the least distance a cube's mean is above its middle by (h/r)²/12, 0.32 %; lines erred by 1 and 3 % on the average.
+        EXPECT_LE(errors.rms, 0.005) << tolerance;
     }
 }
 
