@@ -60,9 +60,8 @@ DenseGrid<float> formulaDistance(const Object& object, const Lattice& lattice, d
 bool isInside(const Bounds& box, const Lattice& lattice, const glm::dmat4& worldFromLocal) {
     bool inside = true;
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 local(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                               corner & 4 ? box.max.z : box.min.z);
-        const glm::dvec3 world(worldFromLocal * glm::dvec4(local, 1.0));
+        const glm::dvec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const glm::dvec3 world(worldFromLocal * glm::dvec4(glm::mix(box.min, box.max, side), 1.0));
         inside = inside && glm::all(glm::greaterThanEqual(world, lattice.min)) &&
                  glm::all(glm::lessThanEqual(world, lattice.min + lattice.extent()));
     }

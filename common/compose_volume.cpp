@@ -29,9 +29,8 @@ std::string gridList(const VdbFile& file) {
 
 /// Throws for a value that is no finite number, which nothing after this expects.
 void requireFinite(const VdbGrid& grid, const ObjectLayer& layer) {
-    if (const auto at = grid.placeThatIsNotFinite())
-        throw volumeError(layer, fmt::format("expected finite values in grid '{}', found one that is not at ({:g}, {:g}, {:g})",
-                                             grid.name, at->x, at->y, at->z));
+    if (const auto wrong = grid.whatIsNotFinite())
+        throw volumeError(layer, *wrong);
 }
 
 /// The grid behind one of our names, or nullptr. Throws where the scene maps the name to a grid that is not there.

@@ -33,13 +33,6 @@ fs::path followLinks(const fs::path& target) {
     return ignored ? target : resolved;
 }
 
-/// Devices and pipes are written in place: renaming over /dev/null would replace it.
-bool writtenInPlace(const fs::path& target) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(target, ignored);
-    return fs::exists(status) && !fs::is_regular_file(status);
-}
-
 /// Creates an empty file of a new name beside the target, with the mode that any new file gets.
 fs::path createBeside(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
@@ -89,6 +82,12 @@ void writeAll(const fs::path& file, const fs::path& target, std::string_view con
 }
 
 } // namespace
+
+bool writtenInPlace(const fs::path& target) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(target, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
 
 OutputFile::OutputFile(const fs::path& target) : target_(followLinks(target)) {
     std::error_code ignored;

@@ -29,6 +29,9 @@ private:
     int signalSlot_ = -1;
 };
 
+/// Devices and pipes are: renaming over /dev/null would replace it.
+bool writtenInPlace(const std::filesystem::path& target);
+
 /// Throws failure naming the path if no file could be written there. For use before long work.
 void requireWritable(const std::filesystem::path& target);
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "common/vdb_io.h"
 
 namespace eikonal {
@@ -14,14 +16,17 @@ glm::dvec3 VdbGrid::voxelSize() const {
             glm::length(glm::dvec3(worldFromIndex[2]))};
 }
 
-std::optional<glm::dvec3> VdbGrid::placeThatIsNotFinite() const {
+std::optional<std::string> VdbGrid::whatIsNotFinite() const {
     const auto isFinite = [](const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
-    const auto find = [&](const auto& dense) -> std::optional<glm::dvec3> {
-        const auto wrong = std::find_if_not(dense.values.begin(), dense.values.end(), [&](const auto& v) { return isFinite(glm::vec3(v)); });
+    const auto find = [&](const auto& dense) -> std::optional<std::string> {
+        const auto wrong = std::find_if_not(dense.values.begin(), dense.values.end(),
+                                            [&](const auto& value) { return isFinite(glm::vec3(value)); });
         if (wrong == dense.values.end())
             return std::nullopt;
-        const std::size_t v = std::size_t(wrong - dense.values.begin()), nx = std::size_t(dense.size.x), ny = std::size_t(dense.size.y);
-        return glm::dvec3(worldFromIndex * glm::dvec4(double(v % nx), double(v / nx % ny), double(v / (nx * ny)), 1.0));
+        const std::size_t v = std::size_t(wrong - dense.values.begin());
+        const std::size_t nx = std::size_t(dense.size.x), ny = std::size_t(dense.size.y);
+        const glm::dvec4 at = worldFromIndex * glm::dvec4(double(v % nx), double(v / nx % ny), double(v / (nx * ny)), 1.0);
+        return fmt::format("expected finite values in grid '{}', found one that is not at ({:g}, {:g}, {:g})", name, at.x, at.y, at.z);
     };
     return std::visit(find, values);
 }

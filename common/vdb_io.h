@@ -36,8 +36,8 @@ struct VdbGrid {
     glm::ivec3 size() const;
     /// Edges of a voxel in world space along the three index axes [scene units].
     glm::dvec3 voxelSize() const;
-    /// Where the first value lies that is no finite number [scene units]; nothing where all are.
-    std::optional<glm::dvec3> placeThatIsNotFinite() const;
+    /// What was expected and found where the first value is no finite number; nothing where all are.
+    std::optional<std::string> whatIsNotFinite() const;
 };
 
 struct VdbFile {

@@ -103,9 +103,8 @@ BakedLight readBakeFile(const std::filesystem::path& path, const Scene& scene, c
     const VdbGrid& irradiance = vectorGrid(file, path, "irradiance");
     const VdbGrid& direction = vectorGrid(file, path, "light_direction");
     for (const VdbGrid& grid : file.grids) {
-        if (const auto at = grid.placeThatIsNotFinite()) {
-            throw badInput(fmt::format("{}: expected finite values in grid '{}', found one that is not at ({:g}, {:g}, {:g})",
-                                       path.string(), grid.name, at->x, at->y, at->z));
+        if (const auto wrong = grid.whatIsNotFinite()) {
+            throw badInput(fmt::format("{}: {}", path.string(), *wrong));
         }
     }
     if (irradiance.size() != direction.size()) {

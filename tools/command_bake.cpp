@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -127,10 +128,10 @@ public:
     /// Begins to write a bake, after finish(). Throws as that does.
     void write(int frame, std::shared_ptr<const BakeResult> result) {
         finish();
-        begun_ = {frame, result};
-        written_ = std::async(std::launch::async, [this, frame, result] {
-            writeBakeFile(arguments_.outputOf(frame), scene_, fields_, *result,
-                          arguments_.isSequence() ? std::optional(frame) : std::nullopt);
+        begun_ = {frame, std::move(result)};
+        written_ = std::async(std::launch::async, [this] {
+            writeBakeFile(arguments_.outputOf(begun_.frame), scene_, fields_, *begun_.result,
+                          arguments_.isSequence() ? std::optional(begun_.frame) : std::nullopt);
         });
     }
 

@@ -8,20 +8,10 @@
 #include <fmt/core.h>
 
 #include "common/file_kind.h"
+#include "common/output_file.h"
 #include "common/spelling.h"
 
 namespace eikonal {
-
-namespace {
-
-/// Or a pipe.
-bool isDevice(const std::string& file) {
-    std::error_code ignored;
-    const auto status = std::filesystem::status(file, ignored);
-    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-}
-
-} // namespace
 
 CLI::Validator aboveZero() {
     const auto check = [](const std::string& text) {
@@ -34,7 +24,7 @@ CLI::Validator aboveZero() {
 }
 
 void requireExtension(const std::string& option, const std::string& file, std::string_view extension) {
-    if (extensionOf(file) != extension && !isDevice(file)) {
+    if (extensionOf(file) != extension && !writtenInPlace(file)) {
         throw CLI::ValidationError(option, fmt::format("expected a name that ends in {}, found '{}'", extension, file));
     }
 }
@@ -45,7 +35,7 @@ void requireApart(const std::string& option, const std::string& file, std::initi
         return std::filesystem::weakly_canonical(name, ignored);
     };
     for (const std::string& other : others) {
-        if (!other.empty() && whole(file) == whole(other) && !isDevice(file)) {
+        if (!other.empty() && whole(file) == whole(other) && !writtenInPlace(file)) {
             throw CLI::ValidationError(option, fmt::format("expected a file of its own, found '{}', which is read or written besides", file));
         }
     }

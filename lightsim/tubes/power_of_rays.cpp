@@ -12,7 +12,8 @@ namespace eikonal::bake {
 
 namespace {
 
-constexpr int kAcross = 16;  // places along each edge of a sub-cell at which it is seen whether light meets the domain
+// Places along each edge of a sub-cell at which it is seen whether light meets the domain; each stands for as much of the power.
+constexpr int kAcross = 16;
 
 class Rim {
 public:

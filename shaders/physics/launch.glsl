@@ -1,9 +1,9 @@
 // The straight line on which light leaves a launch frame (lightsim/emit.h), and whether it meets the domain.
 
 struct LaunchLine {
-    real3 target;         // where it crosses the launch plane
+    real3 target;         // where it crosses the launch plane [scene units, from the domain's middle]
     real3 direction;      // of travel, unit
-    real sourceDistance;  // from the source to the target; a beam comes from far away
+    real sourceDistance;  // from the source to the target [scene units]; a beam comes from far away
 };
 
 // `offset`: of the target from the plane's centre, perpendicular to the axis. `origin`: a point light's position, or a beam's direction.

@@ -100,7 +100,10 @@ TEST(Usage, WarnsOfLightThatMissesTheDomain) {
     const TemporaryFolder folder;
     const std::string lit = folder.write("lit.toml", kSmallScene);
     const std::string dark = folder.write("dark.toml", "[domain]\nresolution = 8\n");
+    const std::string past = folder.write("past.toml", "[domain]\nresolution = 8\n[[light]]\ntype = \"spot\"\nposition = [0, 3, 0]\n"
+                                                       "direction = [0, 1, 0]\nangle = 20\n");
     EXPECT_FALSE(contains(runEikonal({"bake", lit, "-o", folder.file("a.vdb")}).err, "warning: "));
+    EXPECT_TRUE(contains(runEikonal({"bake", past, "-o", folder.file("c.vdb")}).err, "warning: ")) << "it shines away";
     EXPECT_TRUE(contains(runEikonal({"bake", dark, "-o", folder.file("b.vdb")}).err, "warning: ")) << "no light at all";
 }
 

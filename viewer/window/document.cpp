@@ -68,7 +68,7 @@ glm::ivec2 sizeIn(const std::string& text, const Scene& scene) {
 
 Scene sceneOf(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     Scene scene = isMeshFile(file) ? parseScene(sceneTextForMesh(file), file.string(), file.parent_path(), overrides)
-                               : loadScene(file, overrides);
+                                   : loadScene(file, overrides);
     requireAvailable(scene);
     return scene;
 }
