@@ -1,5 +1,7 @@
 #include "viewer/generate.h"
 
+#include "viewer/view.h"
+
 namespace eikonal::viewer {
 
 namespace {
@@ -10,20 +12,14 @@ std::vector<std::string> withSource(std::vector<std::string> defines, Generate::
     return defines;
 }
 
-/// Those of all pieces of a picture, of one length (shaders/viewer/picture_order.glsl).
-glm::uvec3 groupsOfPicture(glm::ivec2 size) {
-    const auto over = [](int all, int each) { return (all + each - 1) / each; };
-    const int blocks = over(size.x, gpu::kBlockEdge) * over(size.y, gpu::kBlockEdge);
-    return {gpu::kPicturePieces * over(blocks, gpu::kPicturePieces), 1, 1};
-}
-
 } // namespace
 
 Generate::Generate(const gpu::Context& context, std::vector<std::string> defines, Source source)
     : source_(source), kernel_(context, "viewer/generate.comp.glsl", withSource(std::move(defines), source)) {}
 
 void Generate::run(RayBatch& batch) const {
-    const glm::uvec3 groups = source_ == Source::kGiven ? batch.groups() : groupsOfPicture(batch.view.tileSize);
+    const glm::uvec3 groups =
+        source_ == Source::kGiven ? batch.groups() : glm::uvec3(placesOfBlocks(batch.view.tileSize), 1, 1);
     batch.lists.fillByGroups(groups.x);
     kernel_.dispatch(groups);
 }

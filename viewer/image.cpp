@@ -9,6 +9,8 @@
 #include "common/device_frame.h"
 #include "common/environment_map.h"
 #include "common/spectral_fields.h"
+#include "viewer/fused_pipeline.h"
+#include "viewer/staged_pipeline.h"
 
 namespace eikonal {
 
@@ -40,14 +42,6 @@ void placeLight(gpu::ViewBlock& view, const BakedLight& bake, const Lattice& dom
     view.lightMin = glm::vec3(deviceFromWorld(domain, bake.lattice.min));
 }
 
-std::optional<viewer::Reflections> reflectionsFor(const gpu::Context& context, const Scene& scene,
-                                                  const EffectSet& effects, const GpuFields& fields,
-                                                  const RenderOptions& options) {
-    if (!viewer::Reflections::areNeeded(effects, scene.accuracy.reflections)) return std::nullopt;
-    return viewer::Reflections(context, fields.defines(), {scene.accuracy.reflections, scene.accuracy.tolerance},
-                               options.tileRays);
-}
-
 bool hasGreyMatter(const Fields& fields) {
     return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo) &&
            std::all_of(fields.insets.begin(), fields.insets.end(), [](const Inset& inset) { return isGrey(inset); });
@@ -58,12 +52,21 @@ RenderOptions withTile(RenderOptions options, const gpu::DeviceLimits& limits) {
     return options;
 }
 
-viewer::Generate generateFor(const gpu::Context& context, const GpuFields& fields,
-                             const std::optional<viewer::Clearance>& clearance, const viewer::Sampling& sampling) {
-    using Source = viewer::Generate::Source;
-    auto defines = fields.defines();
-    if (clearance) append(defines, clearance->defines());
-    return {context, std::move(defines), sampling.hasLens() ? Source::kLens : Source::kPinhole};
+viewer::MarchSettings marchSettingsOf(const Accuracy& accuracy, const InsetBounds& insets, const RenderOptions& options) {
+    return {.stepVoxels = stepVoxelsOf(accuracy), .integrator = integratorOf(accuracy), .maxEvaluations = options.maxEvaluations,
+            .stepsPerSlice = options.stepsPerSlice, .insets = insets};
+}
+
+std::unique_ptr<viewer::RayPipeline> pipelineFor(const gpu::Context& context, const Scene& scene, const EffectSet& effects,
+                                                 std::vector<std::string> defines, const viewer::MarchSettings& settings,
+                                                 const Lattice& lattice, bool hasLens, const RenderOptions& options) {
+    if (options.fused && viewer::FusedPipeline::serves(defines, settings.integrator)) {
+        return std::make_unique<viewer::FusedPipeline>(context, std::move(defines), settings, lattice, hasLens);
+    }
+    std::optional<viewer::ReflectionRules> rules;
+    const int generations = scene.accuracy.reflections;
+    if (viewer::Reflections::areNeeded(effects, generations)) rules = {generations, scene.accuracy.tolerance};
+    return std::make_unique<viewer::StagedPipeline>(context, std::move(defines), settings, lattice, hasLens, rules, options.tileRays);
 }
 
 /// How many samples the bands of wavelengths are divided into; 0 where noise decides how many there are.
@@ -80,11 +83,11 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
       passes_(spectralBandsOf(scene.accuracy, effects), strataOf(scene.render)), hasGreyMatter_(hasGreyMatter(fields)),
       light_(context, bake, passes_.bandCount()),
       clearance_(clearanceFor(context, scene, fields, effects, bake, options_)),
-      reflections_(reflectionsFor(context, scene, effects, fields_, options_)),
       batch_(context, options_.tileRays),
-      generate_(generateFor(context, fields_, clearance_, sampling_)), steps_(stepVoxelsOf(scene.accuracy), 1.0),
-      integrator_(integratorOf(scene.accuracy)), shade_(context, allDefines()), accumulate_(context, fields_.defines()),
-      toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
+      pipeline_(pipelineFor(context, scene, effects, allDefines(),
+                            marchSettingsOf(scene.accuracy, fields_.insetBounds(), options_), lattice_, sampling_.hasLens(),
+                            options_)),
+      film_(context), toneMap_(context, scene.render.toneMap), painter_(context, allDefines(), scene.render.toneMap) {
     gpu::ViewBlock& view = batch_.view;
     view.opaqueOffset = float(lattice_.voxel);
     view.minThroughput = float(options.minThroughput);
@@ -93,8 +96,7 @@ ProgressiveImage::ProgressiveImage(const gpu::Context& context, const Scene& sce
     configureLight();
     if (bake) placeLight(view, *bake, lattice_);
     if (clearance_) clearance_->configure(view);
-    if (reflections_) reflections_->configure(view);
-    march().configure(view);
+    pipeline_->configure(view);
     setExposure(scene.render.exposureEv);
 }
 
@@ -103,19 +105,7 @@ std::vector<std::string> ProgressiveImage::allDefines() const {
     append(defines, environment_.defines());
     append(defines, light_.defines());
     if (clearance_) append(defines, clearance_->defines());
-    if (reflections_) append(defines, reflections_->defines());
     return defines;
-}
-
-viewer::March& ProgressiveImage::march() {
-    auto found = marches_.find(steps_);
-    if (found == marches_.end()) {
-        const auto [step, matter] = steps_;
-        const viewer::MarchSettings settings{step, matter, integrator_, options_.maxEvaluations, options_.stepsPerSlice,
-                                             fields_.insetBounds()};
-        found = marches_.emplace(steps_, viewer::March(context_, allDefines(), settings, lattice_)).first;
-    }
-    return found->second;
 }
 
 void ProgressiveImage::configureLight() {
@@ -132,7 +122,7 @@ void ProgressiveImage::startOver() {
 void ProgressiveImage::setFrame(const glm::ivec2& size, const viewer::Tile& region) {
     region_ = region;
     viewer::configureCamera(batch_.view, deviceFromWorld(lattice_, camera_), size);
-    accumulate_.reserve(context_, region.pixels());
+    film_.reserve(context_, region.pixels());
     toneMap_.reserve(context_, region.pixels());
     startOver();
 }
@@ -141,7 +131,7 @@ void ProgressiveImage::setCamera(const Camera& camera) {
     camera_ = camera;
     const bool hadLens = sampling_.hasLens();
     sampling_ = viewer::samplingOf(render_, camera);
-    if (sampling_.hasLens() != hadLens) generate_ = generateFor(context_, fields_, clearance_, sampling_);
+    if (sampling_.hasLens() != hadLens) pipeline_->setLens(sampling_.hasLens());
     viewer::configureCamera(batch_.view, deviceFromWorld(lattice_, camera), batch_.view.imageSize);
     startOver();
 }
@@ -160,14 +150,14 @@ void ProgressiveImage::moveInsets(const Fields& fields) {
         clearance_->move(fields);
         clearance_->configure(batch_.view);
     }
-    for (auto& [steps, march] : marches_) march.setInsets(fields_.insetBounds());
-    march().configure(batch_.view);
+    pipeline_->setInsets(fields_.insetBounds());
+    pipeline_->configure(batch_.view);
     startOver();
 }
 
 void ProgressiveImage::setStep(double stepVoxels, double matterVoxels) {
-    steps_ = {stepVoxels, matterVoxels};
-    march().configure(batch_.view);
+    pipeline_->setStep(stepVoxels, matterVoxels);
+    pipeline_->configure(batch_.view);
     startOver();
 }
 
@@ -178,8 +168,8 @@ void ProgressiveImage::bind() {
     light_.bind();
     environment_.bind();
     if (clearance_) clearance_->bind();
-    if (reflections_) reflections_->bind();
-    accumulate_.bind();
+    pipeline_->bind();
+    film_.bind();
     batch_.bind();
 }
 
@@ -190,18 +180,7 @@ void ProgressiveImage::mark(std::string_view pass) const {
 void ProgressiveImage::runPass(std::size_t pass) {
     passes_.begin(pass, viewer::sampleOfRound(round_, sampling_), batch_.view, fields_, light_);
     batch_.bind();
-    mark("generate");
-    generate_.run(batch_);
-    mark("march");
-    march().run(batch_);
-    if (reflections_) {
-        mark("reflections");
-        reflections_->run(batch_, march(), shade_);
-    }
-    mark("shade");
-    shade_.run(batch_);
-    mark("accumulate");
-    accumulate_.run(batch_);
+    pipeline_->run(batch_, [this](std::string_view name) { mark(name); });
 }
 
 std::size_t ProgressiveImage::addRays(std::size_t most) {
@@ -234,13 +213,13 @@ viewer::FilmNoise ProgressiveImage::noise() const {
 
 std::vector<gpu::FilmPixel> ProgressiveImage::film() const {
     std::vector<gpu::FilmPixel> pixels(region_.pixels());
-    accumulate_.read(0, pixels);
+    film_.read(0, pixels);
     return pixels;
 }
 
 gpu::FilmPixel ProgressiveImage::filmPixel(std::size_t index) const {
     gpu::FilmPixel pixel;
-    accumulate_.read(index, {&pixel, 1});
+    film_.read(index, {&pixel, 1});
     return pixel;
 }
 
@@ -261,7 +240,7 @@ void ProgressiveImage::paint(const viewer::LookSettings& look, const gpu::Textur
     viewer::configureTile(batch_.view, region_, 0);
     passes_.begin(0, 0, batch_.view, fields_, light_);  // slices show the index at the reference wavelength
     bind();
-    if (compared) compared->accumulate_.bindAsCompared();
+    if (compared) compared->film_.bindAsCompared();
     mark("paint");
     viewer::LookSettings onDevice = look;
     onDevice.slicePosition -= middleOf(lattice_)[look.sliceAxis];
@@ -278,8 +257,7 @@ std::vector<std::pair<std::string, std::size_t>> ProgressiveImage::textures() co
 }
 
 std::size_t ProgressiveImage::bufferBytes() const {
-    const std::size_t waiting = reflections_ ? reflections_->bytes() : 0;
-    return batch_.rays.bytes() + batch_.lists.bytes() + waiting + accumulate_.filmBytes() + toneMap_.displayBytes();
+    return batch_.rays.bytes() + batch_.lists.bytes() + pipeline_->bytes() + film_.bytes() + toneMap_.displayBytes();
 }
 
 } // namespace eikonal

@@ -3,7 +3,7 @@
 // stays on the device. Stills and the window are made by this one path.
 
 #include <algorithm>
-#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,19 +15,16 @@
 #include "common/effects.h"
 #include "common/gpu/pass_timer.h"
 #include "common/gpu_fields.h"
-#include "viewer/accumulate.h"
 #include "viewer/band_passes.h"
 #include "viewer/clearance.h"
 #include "viewer/environment.h"
-#include "viewer/generate.h"
+#include "viewer/film.h"
 #include "viewer/light.h"
-#include "viewer/march.h"
 #include "viewer/noise.h"
 #include "viewer/picture.h"
-#include "viewer/reflections.h"
+#include "viewer/ray_pipeline.h"
 #include "viewer/render_options.h"
 #include "viewer/sampling.h"
-#include "viewer/shade.h"
 #include "viewer/tone_map.h"
 
 namespace eikonal {
@@ -78,7 +75,7 @@ public:
         std::vector<gpu::FilmPixel> part(std::min(kPixelsAtATime, region_.pixels()));
         for (std::size_t first = 0; first < region_.pixels(); first += part.size()) {
             const auto pixels = std::span(part).first(std::min(part.size(), region_.pixels() - first));
-            accumulate_.read(first, pixels);
+            film_.read(first, pixels);
             visit(first, std::span<const gpu::FilmPixel>(pixels));
         }
     }
@@ -90,11 +87,11 @@ public:
     void paint(const viewer::LookSettings& look, const gpu::Texture2D& picture, const ProgressiveImage* compared = nullptr);
     /// Marks the passes of what follows; nullptr: none.
     void setTimer(gpu::PassTimer* timer) { timer_ = timer; }
-    viewer::RayCounts counts() const { return accumulate_.counts(); }
+    viewer::RayCounts counts() const { return film_.counts(); }
     /// Instructions of the marching kernels, where the driver tells.
-    std::optional<std::size_t> marchInstructions() { return march().instructions(); }
+    std::optional<std::size_t> marchInstructions() { return pipeline_->instructions(); }
     /// Reflections followed so far.
-    std::uint64_t reflectedRays() const { return reflections_ ? reflections_->count() : 0; }
+    std::uint64_t reflectedRays() const { return pipeline_->reflectedRays(); }
     std::vector<std::pair<std::string, std::size_t>> textures() const;
     std::size_t bufferBytes() const;
 
@@ -104,7 +101,6 @@ private:
     void finishRound();
     void runPass(std::size_t pass);
     std::vector<std::string> allDefines() const;
-    viewer::March& march();
     void bind();
     void mark(std::string_view pass) const;
 
@@ -120,15 +116,9 @@ private:
     bool hasGreyMatter_;
     viewer::Light light_;
     std::optional<viewer::Clearance> clearance_;
-    std::optional<viewer::Reflections> reflections_;
     viewer::RayBatch batch_;
-    viewer::Generate generate_;
-    using Steps = std::pair<double, double>;   ///< of rays, between samples of matter [voxels]
-    std::map<Steps, viewer::March> marches_;
-    Steps steps_;
-    Integrator integrator_;
-    viewer::Shade shade_;
-    viewer::Accumulate accumulate_;
+    std::unique_ptr<viewer::RayPipeline> pipeline_;
+    viewer::Film film_;
     viewer::ToneMapper toneMap_;
     viewer::PicturePainter painter_;
     gpu::PassTimer* timer_ = nullptr;

@@ -1,97 +1,13 @@
 #include "viewer/march.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string_view>
-
-#include "common/error.h"
+#include "viewer/slices.h"
 
 namespace eikonal::viewer {
 
 namespace {
 
-constexpr std::uint32_t kMirrorCorrections = 2;     // of shaders/physics/mirror.glsl
-constexpr std::uint32_t kFaceTrials = 3;            // of shaders/viewer/face_step.glsl
-constexpr std::uint32_t kLeastEvaluations = 4096;
-constexpr double kDiagonals = 8.0;
-// Between looks at whether a ray is under way still, for which the device is waited for. Most rays pass a ball in four.
-constexpr std::uint32_t kSlicesAtATime = 4;
-
-double checkedStep(double stepVoxels) {
-    if (!(stepVoxels > 0.0) || !std::isfinite(stepVoxels)) {
-        throw badInput("accuracy.step: expected a positive number of voxels, found " + std::to_string(stepVoxels));
-    }
-    return stepVoxels;
-}
-
-std::uint32_t samplesPerHalfOf(const MarchSettings& settings) {
-    const double pieces = checkedStep(settings.stepVoxels) / settings.matterVoxels;
-    return pieces <= 1.0 ? 0u : std::uint32_t(std::ceil(std::min(0.5 * pieces, 256.0)));
-}
-
-/// kEvaluationsPerStep of shaders/viewer/integrator.glsl.
-double evaluationsPerStep(Integrator integrator) {
-    return integrator == Integrator::kRk4 ? 4.0 : integrator == Integrator::kSharma ? 3.0 : 1.0;
-}
-
-/// What leapfrog needs no word for.
-const char* defineOf(Integrator integrator) {
-    switch (integrator) {
-        case Integrator::kEuler: return "INTEGRATOR_EULER";
-        case Integrator::kRk4: return "INTEGRATOR_RK4";
-        case Integrator::kSharma: return "INTEGRATOR_SHARMA";
-        default: return nullptr;
-    }
-}
-
-std::uint32_t evaluationLimit(const MarchSettings& settings, const Lattice& lattice) {
-    if (settings.maxEvaluations > 0) return settings.maxEvaluations;
-    const double diagonalSteps = glm::length(glm::dvec3(lattice.size)) / (settings.stepVoxels * settings.insets.finestVoxel);
-    const double evaluations = kDiagonals * diagonalSteps * evaluationsPerStep(settings.integrator);
-    return std::max(kLeastEvaluations, std::uint32_t(std::min(evaluations, 1e9)));
-}
-
-bool isAmong(const std::vector<std::string>& defines, std::string_view define) {
-    return std::find(defines.begin(), defines.end(), define) != defines.end();
-}
-
-/// How often a step or flight looks at the fields, each quantity by itself: in its evaluations and those to a mirror, for the band
-/// of a boundary, twice for opaque matter, and for each kind of matter at each sample.
-std::uint32_t lookUpsPerStep(const std::vector<std::string>& defines, Integrator integrator, std::uint32_t toMirror,
-                             std::uint32_t samples) {
-    const std::uint32_t tries = integrator == Integrator::kLeapfrog ? 1 : 1 + kFaceTrials;
-    std::uint32_t lookUps = std::uint32_t(evaluationsPerStep(integrator)) * tries + toMirror + 1;
-    lookUps += isAmong(defines, "EFFECT_OPAQUE") ? 2 : 0;
-    for (const char* matter : {"EFFECT_ABSORPTION", "EFFECT_SCATTERING", "EFFECT_EMISSION"}) {
-        lookUps += isAmong(defines, matter) ? samples : 0;
-    }
-    return lookUps;
-}
-
-/// Loop iterations of a step or flight: those of the loops about it, those at a face and to a mirror, of each sample of
-/// matter one and those over the voxels about it, and of each look-up those over insets.
-std::uint32_t iterationsPerStep(const std::vector<std::string>& defines, const MarchSettings& settings) {
-    constexpr std::uint32_t kVoxelsAbout = 8;
-    constexpr std::uint32_t kLoopsAbout = 4;  // over events, flights and steps in turn, flights, steps
-    const std::uint32_t samples = std::max(1u, 2 * samplesPerHalfOf(settings));
-    const std::uint32_t toMirror = isAmong(defines, "FOLLOW_REFLECTIONS") ? kMirrorCorrections : 0;
-    const std::uint32_t overInsets = std::uint32_t(settings.insets.mostAbout) *
-                                     lookUpsPerStep(defines, settings.integrator, toMirror, samples);
-    return kLoopsAbout + kFaceTrials + toMirror + samples * (isAmong(defines, "LIGHT_LOBES") ? 1 + kVoxelsAbout : 1) + overInsets;
-}
-
-/// Whether rays bend and nothing else happens to them, in steps that free_steps.glsl knows.
-bool stepsFreely(const std::vector<std::string>& defines, const MarchSettings& settings) {
-    if (!isAmong(defines, "EFFECT_REFRACTION") || settings.integrator != Integrator::kLeapfrog) return false;
-    const auto isAny = [&](std::initializer_list<const char*> others) {
-        return std::any_of(others.begin(), others.end(), [&](const char* other) { return isAmong(defines, other); });
-    };
-    return !isAny({"EFFECT_ABSORPTION", "EFFECT_SCATTERING", "EFFECT_EMISSION", "EFFECT_REFLECTION", "EFFECT_OPAQUE", "INSETS"});
-}
-
 std::vector<std::string> withSteps(std::vector<std::string> defines, const MarchSettings& settings) {
-    defines.push_back("SAMPLES_PER_HALF " + std::to_string(samplesPerHalfOf(settings)));
-    if (const char* define = defineOf(settings.integrator)) defines.push_back(define);
+    for (const std::string& define : stepDefines(settings)) defines.push_back(define);
     return defines;
 }
 
@@ -99,26 +15,11 @@ std::vector<std::string> withSteps(std::vector<std::string> defines, const March
 
 March::March(const gpu::Context& context, const std::vector<std::string>& defines, const MarchSettings& settings,
              const Lattice& lattice)
-    : defines_(defines), settings_(settings), lattice_(lattice), portions_(portionsFor(context.limits())),
-      onward_(context, stepsFreely(defines, settings) ? "viewer/march_freely.comp.glsl" : "viewer/march_on.comp.glsl",
+    : limits_(context, defines, settings, lattice),
+      onward_(context,
+              stepsFreely(defines, settings.integrator) ? "viewer/march_freely.comp.glsl" : "viewer/march_on.comp.glsl",
               withSteps(defines, settings)) {
-    if (!stepsFreely(defines, settings)) first_.emplace(context, "viewer/march.comp.glsl", withSteps(defines, settings));
-    setInsets(settings.insets);
-}
-
-void March::setInsets(const InsetBounds& insets) {
-    settings_.insets = insets;
-    maxEvaluations_ = evaluationLimit(settings_, lattice_);
-    const std::uint32_t finished = portions_.loopsOfSlice / iterationsPerStep(defines_, settings_);
-    stepsPerSlice_ = settings_.stepsPerSlice > 0 ? settings_.stepsPerSlice : std::clamp(finished, 1u, portions_.stepsOfSlice);
-}
-
-void March::configure(gpu::ViewBlock& view) const {
-    view.stepLength = float(settings_.stepVoxels * lattice_.voxel);
-    view.maxEvaluations = maxEvaluations_;
-    view.stepsPerSlice = stepsPerSlice_;
-    view.fewRays = portions_.fewRays;
-    view.stepsPerDispatch = portions_.stepsOfDispatch;
+    if (!stepsFreely(defines, settings.integrator)) first_.emplace(context, "viewer/march.comp.glsl", withSteps(defines, settings));
 }
 
 std::optional<std::size_t> March::instructions() const {
@@ -128,10 +29,7 @@ std::optional<std::size_t> March::instructions() const {
 }
 
 void March::run(RayBatch& batch) const {
-    for (std::uint32_t slice = 0; slice < mostSlices(); ++slice) {
-        runSlice(batch, slice);
-        if ((slice + 1) % kSlicesAtATime == 0 && batch.lists.filledCount() == 0) return;
-    }
+    runSlices(batch.lists, mostSlices(), [&](std::uint32_t slice) { runSlice(batch, slice); });
 }
 
 void March::runSlice(RayBatch& batch, std::uint32_t slice) const {

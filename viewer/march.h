@@ -8,22 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "common/inset_bricks.h"
-#include "common/lattice.h"
-#include "common/scene.h"
-#include "viewer/portions.h"
+#include "viewer/march_limits.h"
 #include "viewer/ray_batch.h"
 
 namespace eikonal::viewer {
-
-struct MarchSettings {
-    double stepVoxels = 1.0;           ///< arc length of a step [voxels]
-    double matterVoxels = 1.0;         ///< longest piece on which matter that varies is sampled once [voxels]
-    Integrator integrator = Integrator::kLeapfrog;
-    std::uint32_t maxEvaluations = 0;  ///< and look-ups, by ray; 0: eight times the domain's diagonal, at least 4096
-    std::uint32_t stepsPerSlice = 0;   ///< of one dispatch; 0: as many as the device likes
-    InsetBounds insets{};              ///< of the fields, in whose finest voxels steps may have to be taken
-};
 
 class March {
 public:
@@ -33,9 +21,9 @@ public:
           const Lattice& lattice);
 
     /// The same insets have moved.
-    void setInsets(const InsetBounds& insets);
+    void setInsets(const InsetBounds& insets) { limits_.setInsets(insets); }
     /// Sets what the kernel reads of the settings.
-    void configure(gpu::ViewBlock& view) const;
+    void configure(gpu::ViewBlock& view) const { limits_.configure(view); }
     /// Follows the rays on the list that was filled to their ends.
     void run(RayBatch& batch) const;
     /// Follows them by one slice, the first being 0; the list then holds those that go on.
@@ -43,15 +31,10 @@ public:
     /// Of its kernels, where the driver tells.
     std::optional<std::size_t> instructions() const;
     /// Slices in which every ray comes to its end.
-    std::uint32_t mostSlices() const { return 2 * maxEvaluations_; }
+    std::uint32_t mostSlices() const { return limits_.mostSlices(); }
 
 private:
-    std::vector<std::string> defines_;
-    MarchSettings settings_;
-    Lattice lattice_;
-    Portions portions_;
-    std::uint32_t maxEvaluations_ = 0;
-    std::uint32_t stepsPerSlice_ = 0;
+    MarchLimits limits_;
     std::optional<gpu::Kernel> first_;  ///< none where `onward_` takes the first slice too
     gpu::Kernel onward_;
 };

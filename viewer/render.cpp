@@ -5,6 +5,8 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "viewer/portions.h"
+
 namespace eikonal {
 
 namespace {

@@ -59,4 +59,10 @@ Tile nextTile(const Tile& region, std::size_t done, std::size_t mostPixels) {
     return {region.origin + at, size};
 }
 
+gpu::uint placesOfBlocks(const glm::ivec2& tileSize) {
+    const auto over = [](int all, int each) { return (all + each - 1) / each; };
+    const int blocks = over(tileSize.x, gpu::kBlockEdge) * over(tileSize.y, gpu::kBlockEdge);
+    return gpu::uint(gpu::kPicturePieces * over(blocks, gpu::kPicturePieces));  // pieces of one length
+}
+
 } // namespace eikonal::viewer

@@ -25,4 +25,7 @@ std::vector<Tile> tilesOf(const glm::ivec2& imageSize, std::size_t mostPixels);
 /// The pixels of `region` that follow the first `done`, row after row: whole rows, or a part of one, at most `mostPixels`.
 Tile nextTile(const Tile& region, std::size_t done, std::size_t mostPixels);
 
+/// Places in the order of a tile's blocks of rays (shaders/viewer/picture_order.glsl), some of them empty.
+gpu::uint placesOfBlocks(const glm::ivec2& tileSize);
+
 } // namespace eikonal::viewer

@@ -79,6 +79,14 @@ struct RayState {
     float crossingAlong;
 };
 
+// What a ray adds to the statistics.
+struct RayCost {
+    uint entered;        // 1: it has entered the domain
+    uint evaluations;
+    uint lookUps;
+    uint matterSamples;
+};
+
 struct RayListHead {
     uint groups[3];  // of a dispatch over the list
     uint count;
@@ -93,13 +101,13 @@ struct GivenRay {
 
 struct FilmPixel {
     vec3 radiance;       // mean over the samples so far
-    float steps;         // of the ray through the pixel's centre, like all that follows: evaluations but one, look-ups
-    vec3 exitDirection;
+    float halfLuminance; // mean over those samples that are in the first of two halves
+    vec3 exitDirection;  // of the ray through the pixel's centre, like all that follows
     float entryDistance;
     vec3 depth;
     float opticalLength;
     vec3 throughput;     // of the background behind
-    float halfLuminance; // mean over those samples that are in the first of two halves
+    float steps;         // evaluations but one, and look-ups
     vec3 normal;         // of the opaque surface at the ray's end, or 0
     float normalPad;
 };
@@ -152,12 +160,12 @@ struct ViewBlock {
 #ifdef __cplusplus
 static_assert(sizeof(RayState) == 144 && offsetof(RayState, crossingGradMax) == 128);
 static_assert(offsetof(RayState, w) == 16 && offsetof(RayState, status) == 36 && offsetof(RayState, depth) == 64);
-static_assert(sizeof(RayListHead) == 16);
+static_assert(sizeof(RayCost) == 16 && sizeof(RayListHead) == 16);
 static_assert(sizeof(GivenRay) == 32 && sizeof(FilmPixel) == 80);
 // The rows of viewer/film_pixels.glsl.
-static_assert(offsetof(FilmPixel, steps) == 12 && offsetof(FilmPixel, exitDirection) == 16 && offsetof(FilmPixel, entryDistance) == 28);
+static_assert(offsetof(FilmPixel, halfLuminance) == 12 && offsetof(FilmPixel, exitDirection) == 16 && offsetof(FilmPixel, entryDistance) == 28);
 static_assert(offsetof(FilmPixel, depth) == 32 && offsetof(FilmPixel, opticalLength) == 44 && offsetof(FilmPixel, throughput) == 48);
-static_assert(offsetof(FilmPixel, halfLuminance) == 60 && offsetof(FilmPixel, normal) == 64);
+static_assert(offsetof(FilmPixel, steps) == 60 && offsetof(FilmPixel, normal) == 64);
 static_assert(offsetof(ViewBlock, horizon) == 64 && offsetof(ViewBlock, imageSize) == 128);
 static_assert(offsetof(ViewBlock, exposureScale) == 160 && offsetof(ViewBlock, ambient) == 176);
 static_assert(offsetof(ViewBlock, contentMin) == 272 && offsetof(ViewBlock, bandToRgb) == 304);

@@ -3,10 +3,10 @@
 
 // Rows of four words a pixel, FilmPixel's members in their order.
 const int kRowsPerPixel = 5;
-const int kRadianceRow = 0;    // radiance, steps
+const int kRadianceRow = 0;    // radiance, halfLuminance: what every sample changes
 const int kExitRow = 1;        // exitDirection, entryDistance
 const int kDepthRow = 2;       // depth, opticalLength
-const int kThroughputRow = 3;  // throughput, halfLuminance
+const int kThroughputRow = 3;  // throughput, steps
 const int kNormalRow = 4;      // normal
 
 layout(binding = kUnitFilm) uniform usamplerBuffer filmTexels;

@@ -9,7 +9,13 @@
 // is noted by invocation.
 #if !defined(STRAIGHT_FLIGHTS) && !defined(EFFECT_DISPERSION)
 #define RAYS_AT_ONCE 2
+#else
+#define RAYS_AT_ONCE 1
 #endif
+#ifndef BLOCKS_IN_TURN
+#define BLOCKS_IN_TURN 1
+#endif
+#define ENTRIES (RAYS_AT_ONCE * BLOCKS_IN_TURN)
 #include "viewer/steps.glsl"
 
 // In the domain's box, 0 to 1: such numbers come first by their bits, before greater and negative ones and what is no number.

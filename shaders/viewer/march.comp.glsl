@@ -6,7 +6,7 @@ uint march(uint entry) {
     RayState ray = loadRay(rayIndex);
     loadBoundary();
     stopInsideOpaque(ray);
-    uint left = stepsOfSlice();
+    uint left = stepsOfSlice(takenHead.count);
     bool eventful = followStretch(ray, left);
     return passOn(ray, eventful);
 }

@@ -9,7 +9,7 @@ uint marchOn(uint entry) {
     loadBoundary();
     bool eventful = entry == rayIndex;
     bool goesOn = takenHead.count <= view.fewRays;
-    uint left = stepsOfSlice();
+    uint left = stepsOfSlice(takenHead.count);
     do {
         if (eventful) {
             takeEventfulStep(ray);

@@ -64,18 +64,17 @@ float differencePercent(vec3 radiance, vec3 compared) {
 
 #endif
 
-// `radiance`: in alpha steps.
-vec3 pictureColor(vec4 radiance, uint pixel, ivec2 at) {
+vec3 pictureColor(vec3 radiance, uint pixel, ivec2 at) {
 #if defined(LOOK_ERROR)
-    return turbo(onScale(differencePercent(radiance.rgb, filmRow(comparedTexels, pixel, kRadianceRow).rgb)));
+    return turbo(onScale(differencePercent(radiance, filmRow(comparedTexels, pixel, kRadianceRow).rgb)));
 #elif defined(LOOK_STEPS)
-    return turbo(onScale(radiance.a));
+    return turbo(onScale(filmRow(filmTexels, pixel, kThroughputRow).a));
 #elif defined(LOOK_RADIANCE)
-    return turbo(onScale(log2(max(dot(radiance.rgb, vec3(1.0 / 3.0)), 1e-20))));
+    return turbo(onScale(log2(max(dot(radiance, vec3(1.0 / 3.0)), 1e-20))));
 #elif defined(LOOK_SLICE)
-    return sliceOver(displayed(radiance.rgb), at);
+    return sliceOver(displayed(radiance), at);
 #else
-    return displayed(radiance.rgb);
+    return displayed(radiance);
 #endif
 }
 
@@ -85,5 +84,5 @@ void main() {
         return;
     }
     ivec2 pixel = ivec2(int(index) % view.tileSize.x, int(index) / view.tileSize.x);
-    imageStore(picture, pixel, vec4(pictureColor(filmRow(filmTexels, index, kRadianceRow), index, pixel), 1.0));
+    imageStore(picture, pixel, vec4(pictureColor(filmRow(filmTexels, index, kRadianceRow).rgb, index, pixel), 1.0));
 }

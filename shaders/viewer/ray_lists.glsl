@@ -12,24 +12,24 @@ layout(std430, binding = kStorageFilledRays) buffer FilledRays {
     uint filledRays[];
 };
 
+// That an invocation leaves at most.
+#ifndef ENTRIES
+#define ENTRIES 1
+#endif
+
 shared uint listedOfGroup;  // entries
 shared uint placeOfGroup;   // of the first one
 
-// Rays of an invocation.
-#ifndef RAYS_AT_ONCE
-#define RAYS_AT_ONCE 1
-#endif
-
 // To be called once by every invocation of the group. Its entries follow each other in the list, so that rays stay beside those
 // of their neighbours in the picture, which go the same way.
-void listRays(uint entries[RAYS_AT_ONCE]) {
+void listRays(uint entries[ENTRIES]) {
     bool isFirst = gl_LocalInvocationIndex == 0u;
     if (isFirst) {
         listedOfGroup = 0u;
     }
     barrier();
-    uint places[RAYS_AT_ONCE];
-    for (int i = 0; i < RAYS_AT_ONCE; ++i) {
+    uint places[ENTRIES];
+    for (int i = 0; i < ENTRIES; ++i) {
         places[i] = entries[i] == kNoEntry ? 0u : atomicAdd(listedOfGroup, 1u);
     }
     barrier();
@@ -39,14 +39,14 @@ void listRays(uint entries[RAYS_AT_ONCE]) {
         atomicMax(filledHead.groups[0], groups);
     }
     barrier();
-    for (int i = 0; i < RAYS_AT_ONCE; ++i) {
+    for (int i = 0; i < ENTRIES; ++i) {
         if (entries[i] != kNoEntry) {
             filledRays[placeOfGroup + places[i]] = entries[i];
         }
     }
 }
 
-#if RAYS_AT_ONCE == 1
+#if ENTRIES == 1
 void listRay(uint entry) {
     listRays(uint[1](entry));
 }
@@ -57,9 +57,9 @@ void listAtOwnPlace(uint entry) {
     filledRays[gl_GlobalInvocationID.x] = entry;
 }
 
-// Of each ray that is taken: fewer where there are many, so that no dispatch takes long.
-uint stepsOfSlice() {
-    return clamp(view.stepsPerDispatch / max(takenHead.count, 1u), 1u, view.stepsPerSlice);
+// Of each of so many rays: fewer where there are many, so that no dispatch takes long.
+uint stepsOfSlice(uint rays) {
+    return clamp(view.stepsPerDispatch / max(rays, 1u), 1u, view.stepsPerSlice);
 }
 
 uint entryAt(uint place) {

@@ -1,4 +1,5 @@
 // The rays of a tile, one a pixel or one a row of the input.
+#include "gpu/division.glsl"
 #include "shared/view_blocks.h"
 #include "viewer/ray_rows.glsl"
 
@@ -31,7 +32,7 @@ void storeWholeRay(uint index, RayState ray) {
 
 // Pixel of a ray within the tile, row after row.
 ivec2 tilePixel(uint index) {
-    return ivec2(int(index) % view.tileSize.x, int(index) / view.tileSize.x);
+    return ivec2(divided(index, uint(view.tileSize.x)).yx);
 }
 
 // A sample's rays are followed at the reference wavelength, then, where something disperses, once for every band.
@@ -85,4 +86,8 @@ vec3 unitDirection(RayState ray) {
 // What is left, on the average of both polarisations, of light that comes from behind.
 vec3 rayThroughput(RayState ray) {
     return ray.transmittance * (0.5 * (ray.throughputS + ray.throughputP));
+}
+
+RayCost costOf(RayState ray) {
+    return RayCost(ray.status == kMissed ? 0u : 1u, ray.evaluations, ray.lookUps, ray.matterSamples);
 }

@@ -60,6 +60,17 @@ std::vector<KernelVariant> variants() {
         rows.push_back(test::variant("viewer/march_freely.comp.glsl",
                                      {"EFFECT_REFRACTION", "SAMPLES_PER_HALF 0"}, alone));
     }
+    for (const std::vector<std::string>& alone :
+         {std::vector<std::string>{}, {"CUBIC_INTERPOLATION"}, {"STRAIGHT_FLIGHTS"}, {"MANUAL_FILTERING"}}) {
+        for (const std::vector<std::string>& behind : {std::vector<std::string>{}, {"EFFECT_ENVIRONMENT"},
+                                                       {"EFFECT_ENVIRONMENT", "ENVIRONMENT_IMAGE"}}) {
+            const auto drawn = test::variant("viewer/draw_freely.comp.glsl", {"EFFECT_REFRACTION", "SAMPLES_PER_HALF 0"}, alone);
+            const auto onward = test::variant(drawn.kernel, drawn.defines, behind);
+            rows.push_back(onward);
+            rows.push_back(test::variant(onward.kernel, onward.defines, {"BEGIN_RAYS", "BLOCKS_IN_TURN 1"}));
+            rows.push_back(test::variant(onward.kernel, onward.defines, {"BEGIN_RAYS", "BLOCKS_IN_TURN 4", "LENS"}));
+        }
+    }
     for (const char* integrator : {"INTEGRATOR_EULER", "INTEGRATOR_RK4", "INTEGRATOR_SHARMA"}) {
         rows.push_back(test::variant("viewer/march.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));
         rows.push_back(test::variant("viewer/march_on.comp.glsl", switches, {integrator, "SAMPLES_PER_HALF 2"}));

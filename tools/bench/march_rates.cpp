@@ -10,7 +10,9 @@
 #include "common/gpu_fields.h"
 #include "viewer/clearance.h"
 #include "viewer/generate.h"
+#include "viewer/portions.h"
 #include "viewer/march.h"
+#include "viewer/render.h"
 #include "viewer/sampling.h"
 #include "viewer/view.h"
 
@@ -50,8 +52,6 @@ public:
         viewer::configureTile(batch_.view, {{0, 0}, scene.render.size}, 0);
         viewer::configureRound(batch_.view, 0, {});
         clearance_.configure(batch_.view);
-        fields_.bind();
-        clearance_.bind();
     }
 
     Rate march(viewer::March& kernel) {
@@ -90,6 +90,8 @@ private:
     }
     void start(const viewer::March& kernel) {
         kernel.configure(batch_.view);
+        fields_.bind();
+        clearance_.bind();
         batch_.bind();
         generate_.run(batch_);
     }
@@ -104,6 +106,36 @@ private:
     gpu::uint fetchesPerRay_;
 };
 
+/// A picture of the scene, and what a round of its samples takes.
+class Picture {
+public:
+    Picture(const gpu::Context& context, const Scene& scene, const Fields& fields)
+        : settings_(scene.render),
+          image_(context, scene, fields, refractionOnly(decideEffects(scene, fields)), nullptr, optionsFor(context, scene)) {}
+
+    Rate make() {
+        const viewer::RayCounts before = image_.counts();
+        Rate rate;
+        rate.seconds = secondsOf([&] { renderFrame(image_, settings_, {}, false); }) / image_.rounds();
+        const viewer::RayCounts after = image_.counts();
+        rate.count = double(after.evaluations + after.lookUps - after.entered - before.evaluations - before.lookUps +
+                            before.entered) /
+                     image_.rounds();
+        return rate;
+    }
+
+private:
+    static RenderOptions optionsFor(const gpu::Context& context, const Scene& scene) {
+        RenderOptions options;
+        options.channels = false;
+        options.tileRays = viewer::tilesOf(scene.render.size, viewer::raysAtATime(0, context.limits())).front().pixels();
+        return options;
+    }
+
+    RenderSettings settings_;
+    ProgressiveImage image_;
+};
+
 void keepShorter(Rate& best, const Rate& rate) {
     if (best.seconds == 0.0 || rate.seconds < best.seconds) best = rate;
 }
@@ -114,11 +146,13 @@ MarchRates measureMarchRates(const gpu::Context& context, const Scene& scene, co
     if (fields.iorGradient.empty())
         throw badInput(scene.source + ": expected an index that varies, found the same everywhere");
     Course course(context, scene, fields);
+    Picture picture(context, scene, fields);
     MarchRates rates;
     for (int i = 0; i < repeats; ++i) {
         keepShorter(rates.fetches, course.fetch());
         keepShorter(rates.stepping, course.march(course.stepping()));
         keepShorter(rates.flying, course.march(course.flying()));
+        keepShorter(rates.image, picture.make());
     }
     rates.rays = course.entered();
     context.throwIfError();
