@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kCubicBelow = 0.002;
 
-void require(const Scene& scene, bool available, const char* key, const char* expected) {
-    if (!available) {
-        throw badInput(fmt::format("{}: {}: expected {}", scene.source, key, expected));
-    }
-}
-
 } // namespace
 
 std::string_view interpolationName(Interpolation interpolation) {
@@ -36,12 +30,16 @@ Integrator integratorOf(const Accuracy& accuracy) {
 
 void requireAvailable(const Scene& scene) {
     const Accuracy& asked = scene.accuracy;
-    require(scene, asked.directional != Directional::kLobes || asked.deposit != Deposit::kPeak, "accuracy.directional",
-            "'auto' or 'mean' with deposit 'peak', which keeps one direction");
+    if (asked.directional == Directional::kLobes && asked.deposit == Deposit::kPeak) {
+        throw badInput(fmt::format("{}: accuracy.directional: expected 'auto' or 'mean' with the deposit 'peak', which keeps one "
+                                   "direction, found 'lobes'",
+                                   describe(scene.placeOf({"accuracy.directional", "accuracy.deposit"}))));
+    }
     const bool usesPatches = asked.deposit == Deposit::kSplat || asked.deposit == Deposit::kPeak;
     if (usesPatches && asked.reflections > 0) {
         throw badInput(fmt::format("{}: accuracy.reflections: expected 0 with the deposits 'splat' and 'peak', found {}; "
-                                   "'auto' and 'cells' follow reflections", scene.source, asked.reflections));
+                                   "'auto' and 'cells' follow reflections",
+                                   describe(scene.placeOf({"accuracy.reflections", "accuracy.deposit"})), asked.reflections));
     }
 }
 

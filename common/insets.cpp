@@ -36,7 +36,7 @@ Lattice latticeAround(const Scene& scene, const Object& object, const Bounds& bo
     if (inner < 1)
         throw badInput(fmt::format("{}: object.resolution: expected at least {} voxels, of which smoothing takes {} on each "
                                    "side, found {}",
-                                   describe(object.where), 2 * padding + 1, padding, *object.resolution));
+                                   describe(object.whereResolution), 2 * padding + 1, padding, *object.resolution));
     Lattice lattice;
     lattice.voxel = std::max({extent.x, extent.y, extent.z}) / inner;
     constexpr double kRounding = 1e-6;  // voxels: a whole number of voxels stays that number

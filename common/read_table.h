@@ -19,7 +19,8 @@ template <class Section>
 void readTable(const toml::table& table, const std::string& path, const Keys<Section>& keys, Section& section,
                std::vector<std::string_view> known = {}) {
     for (const Key<Section>& key : keys) {
-        known.push_back(key.name);
+        if (std::find(known.begin(), known.end(), key.name) == known.end())
+            known.push_back(key.name);
         if (const toml::node* node = table.get(key.name))
             key.read(section, *node, fmt::format("{}.{}", path, key.name));
     }

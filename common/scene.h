@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,6 +25,8 @@ struct SourcePosition {
 
 /// "file:line:column", or the file alone where there is no line.
 std::string describe(const SourcePosition& position);
+/// Whether `--set` said it.
+bool isOnCommandLine(const SourcePosition& position);
 
 /// A number or an expression in x, y, z, r, one per band: `0.4`, `[0.1, 0.8, 0.9]`, `"1 + 0.1*exp(-y)"`.
 struct Quantity {
@@ -88,9 +91,10 @@ struct Object {
     glm::dvec3 reflectionTint{1.0};  ///< factor on what the boundary reflects
     std::optional<double> smoothVoxels;  ///< boundary width; 0: by area; unset: the domain's (the grid's own for volumes)
     std::optional<int> resolution;
+    SourcePosition whereResolution;
     glm::dvec3 translate{0.0}, rotate{0.0};
     double scale = 1.0;
-    SourcePosition where;
+    SourcePosition where;  ///< of its table, or of a file that the command line names in it
 
     glm::dmat4 worldFromLocal() const;  ///< translate · Rz Ry Rx · scale
 };
@@ -194,6 +198,11 @@ struct Scene {
     Environment environment;
     Accuracy accuracy;
     RenderSettings render;
+
+    /// Of values that are not their defaults by what the file or the command line says: "accuracy.step". Not of objects and lights.
+    std::map<std::string, SourcePosition> places;
+    /// Of the first of several such values that the command line gives, else of the first; where nobody said that, the file.
+    SourcePosition placeOf(std::initializer_list<std::string> keys) const;
 };
 
 } // namespace eikonal

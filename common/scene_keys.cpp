@@ -35,8 +35,9 @@ constexpr Limits kFilterWidths{.low = 0.0, .high = 16.0, .lowOpen = true};
 std::optional<std::string> written(const std::string& value) { return value; }
 
 Key<Accuracy> toleranceKey() {
-    Key<Accuracy> key =
-        keys::number<Accuracy>("tolerance", &Accuracy::tolerance, {.low = 0.0, .high = 1.0, .lowOpen = true});
+    // Darkness is off by 1: no target.
+    Key<Accuracy> key = keys::number<Accuracy>("tolerance", &Accuracy::tolerance,
+                                               {.low = 0.0, .high = 1.0, .lowOpen = true, .highOpen = true});
     key.form.usual = {0.005, 0.5};
     return key;
 }

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "common/file_kind.h"
 #include "common/read_table.h"
@@ -30,13 +32,15 @@ toml::table parseText(const std::string& text, const std::string& source) {
 }
 
 template <class Section>
-void readSection(const toml::table& root, std::string_view name, const Keys<Section>& keys, Section& section) {
+void readSection(const toml::table& root, const std::string& name, const Keys<Section>& keys, Section& section, Scene& scene) {
     const toml::node* node = root.get(name);
     if (!node)
         return;
     if (!node->is_table())
-        throw wrongValue(*node, std::string(name), fmt::format("a table [{}]", name));
-    readTable(*node->as_table(), std::string(name), keys, section);
+        throw wrongValue(*node, name, fmt::format("a table [{}]", name));
+    readTable(*node->as_table(), name, keys, section);
+    for (const auto& [key, value] : *node->as_table())
+        scene.places.emplace(fmt::format("{}.{}", name, key.str()), positionOf(value));
 }
 
 /// Tables of `[[name]]`, empty if there are none.
@@ -72,7 +76,7 @@ void checkShape(const toml::table& table, const std::string& path, const Shape& 
         const double largest = 0.5 * std::min({box->size.x, box->size.y, box->size.z});
         if (box->radius > largest)
             throw badInput(fmt::format("{}: {}.radius: expected at most half the shortest edge, {}, found {}",
-                                       describe(positionOf(table)), path, largest, box->radius));
+                                       describe(positionOf(table, {"radius", "size"})), path, largest, box->radius));
     }
     if (const auto* torus = std::get_if<TorusShape>(&shape); torus && torus->tube > torus->radius)
         throw badInput(fmt::format("{}: {}.tube: expected at most the radius, {}, found {}",
@@ -87,7 +91,7 @@ void checkAnisotropy(const std::string& path, const Quantity& g) {
 
 Object readObject(const Scene& scene, const toml::table& table, const std::string& path) {
     Object object;
-    object.where = positionOf(table);
+    object.where = positionOf(table, {"volume", "mesh"});
     object.shape = readShapeKind(table, path);
     Keys<Object> keys = shapeKeys(object.shape);
     keys.insert(keys.end(), objectKeys().begin(), objectKeys().end());
@@ -114,10 +118,11 @@ void checkTopLevel(const toml::table& root) {
                                        key.str(), didYouMean(key.str(), sections), listNames(sections)));
 }
 
-/// Position of a section, or of the file where the section is left out.
-std::string placeOf(const toml::table& root, std::string_view section, const Scene& scene) {
+/// Where values of a section that do not fit together were said; the file where the section is left out.
+std::string placeOf(const toml::table& root, std::string_view section, std::initializer_list<std::string_view> keys,
+                    const Scene& scene) {
     const toml::node* node = root.get(section);
-    return node ? describe(positionOf(*node)) : scene.source;
+    return node ? describe(positionOf(*node->as_table(), keys)) : scene.source;
 }
 
 void checkDomain(const toml::table& root, const Scene& scene) {
@@ -125,7 +130,7 @@ void checkDomain(const toml::table& root, const Scene& scene) {
     for (int axis = 0; axis < 3; ++axis)
         if (!(extent[axis] > 0.0) || !std::isfinite(extent[axis]))
             throw badInput(fmt::format("{}: domain: expected max > min in {}, found min {} and max {}",
-                                       placeOf(root, "domain", scene), "xyz"[axis], scene.domain.min[axis],
+                                       placeOf(root, "domain", {"min", "max"}, scene), "xyz"[axis], scene.domain.min[axis],
                                        scene.domain.max[axis]));
 }
 
@@ -135,7 +140,7 @@ void checkCamera(const toml::table& root, const Scene& scene) {
     if (!(sine > 1e-9 * glm::length(forward) * glm::length(scene.camera.up)))
         throw badInput(fmt::format("{}: camera: expected look_at away from position and up not along the view, found "
                                    "position {}, look_at {}, up {}",
-                                   placeOf(root, "camera", scene), writeVector(scene.camera.position),
+                                   placeOf(root, "camera", {"position", "look_at", "up"}, scene), writeVector(scene.camera.position),
                                    writeVector(scene.camera.lookAt), writeVector(scene.camera.up)));
 }
 
@@ -151,16 +156,16 @@ void checkEnvironment(const toml::table& root, const Scene& scene) {
 
 void readScene(const toml::table& root, Scene& scene) {
     checkTopLevel(root);
-    readSection(root, "domain", domainKeys(), scene.domain);
-    readSection(root, "medium", mediumKeys(), scene.medium);
+    readSection(root, "domain", domainKeys(), scene.domain, scene);
+    readSection(root, "medium", mediumKeys(), scene.medium, scene);
     for (const toml::table* table : tablesOf(root, "object"))
         scene.objects.push_back(readObject(scene, *table, fmt::format("object.{}", scene.objects.size())));
     for (const toml::table* table : tablesOf(root, "light"))
         scene.lights.push_back(readLight(*table, fmt::format("light.{}", scene.lights.size())));
-    readSection(root, "camera", cameraKeys(), scene.camera);
-    readSection(root, "environment", environmentKeys(), scene.environment);
-    readSection(root, "accuracy", accuracyKeys(), scene.accuracy);
-    readSection(root, "render", renderKeys(), scene.render);
+    readSection(root, "camera", cameraKeys(), scene.camera, scene);
+    readSection(root, "environment", environmentKeys(), scene.environment, scene);
+    readSection(root, "accuracy", accuracyKeys(), scene.accuracy, scene);
+    readSection(root, "render", renderKeys(), scene.render, scene);
     checkDomain(root, scene);
     checkCamera(root, scene);
     checkEnvironment(root, scene);

@@ -70,7 +70,8 @@ bool Limits::contain(double value) const {
 
 std::string Limits::text() const {
     if (std::isfinite(low) && std::isfinite(high))
-        return fmt::format(" from {} to {}{}", low, high, lowOpen || highOpen ? ", ends excluded" : "");
+        return lowOpen == highOpen ? fmt::format(" from {} to {}{}", low, high, lowOpen ? ", ends excluded" : "")
+                                   : fmt::format(" {} {} and {} {}", lowOpen ? ">" : ">=", low, highOpen ? "<" : "<=", high);
     if (std::isfinite(low))
         return fmt::format(" {} {}", lowOpen ? ">" : ">=", low);
     return std::isfinite(high) ? fmt::format(" {} {}", highOpen ? "<" : "<=", high) : std::string();
@@ -78,14 +79,23 @@ std::string Limits::text() const {
 
 SourcePosition positionOf(const toml::node& node) {
     const toml::source_region& region = node.source();
+    const toml::table* table = node.as_table();
+    if (!region.path && table && !table->empty())  // `--set` made it, for what is in it
+        return positionOf(table->begin()->second);
     SourcePosition position;
-    position.file = region.path ? *region.path : "--set";  // a table that it made has no place
-    const bool onCommandLine = position.file.starts_with("--set ");  // line 1 of it says nothing
-    if (!onCommandLine) {
+    position.file = region.path ? *region.path : "--set";
+    if (!isOnCommandLine(position)) {  // line 1 of it says nothing
         position.line = int(region.begin.line);
         position.column = int(region.begin.column);
     }
     return position;
+}
+
+SourcePosition positionOf(const toml::table& table, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys)
+        if (const toml::node* node = table.get(key); node && isOnCommandLine(positionOf(*node)))
+            return positionOf(*node);
+    return positionOf(table);
 }
 
 Error wrongValue(const toml::node& node, const std::string& key, const std::string& expected) {

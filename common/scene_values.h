@@ -2,6 +2,7 @@
 // Values of a scene file: each read with its type and range checked, each written so that it reads back the same.
 // Reading throws badInput: position, key, what was expected, what was found.
 
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string>
@@ -34,6 +35,9 @@ template <class Choice>
 using Choices = std::span<const std::pair<std::string_view, Choice>>;
 
 SourcePosition positionOf(const toml::node& node);
+/// Where values of a table that do not fit together were said: on the command line the first of `keys` that is from there, else
+/// the table.
+SourcePosition positionOf(const toml::table& table, std::initializer_list<std::string_view> keys);
 Error wrongValue(const toml::node& node, const std::string& key, const std::string& expected);
 Error wrongChoice(const toml::node& node, const std::string& key, const std::vector<std::string_view>& names);
 

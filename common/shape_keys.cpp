@@ -122,6 +122,7 @@ Key<Object> resolutionKey() {
     return {"resolution",
             [](Object& object, const toml::node& node, const std::string& key) {
                 object.resolution = readInteger(node, key, {.low = 1.0, .high = 4096.0});
+                object.whereResolution = positionOf(node);
             },
             [](const Object& object) {
                 return object.resolution ? std::optional(std::to_string(*object.resolution)) : std::nullopt;

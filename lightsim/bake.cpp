@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include <fmt/core.h>
+
 #include "common/accuracy.h"
+#include "common/error.h"
 #include "common/gpu_fields.h"
 #include "common/spectral_fields.h"
 #include "lightsim/emit.h"
@@ -46,6 +49,15 @@ BakeOptions asPart(const BakeOptions& options, std::size_t part, std::size_t par
         };
     }
     return result;
+}
+
+/// Throws badInput for an eikonal by patches: rays alone carry it.
+void requireTubesForEikonal(const Scene& scene, const BakeOptions& options) {
+    if (options.eikonal && bake::usesPatches(scene.accuracy)) {
+        throw badInput(fmt::format("{}: accuracy.deposit: expected 'auto' or 'cells' for an eikonal, found '{}'",
+                                   describe(scene.placeOf({"accuracy.deposit"})),
+                                   scene.accuracy.deposit == Deposit::kPeak ? "peak" : "splat"));
+    }
 }
 
 } // namespace

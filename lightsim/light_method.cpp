@@ -1,6 +1,5 @@
 #include "lightsim/light_method.h"
 
-#include "common/error.h"
 #include "lightsim/patch_method.h"
 #include "lightsim/settings.h"
 #include "lightsim/tubes/tube_bake.h"
@@ -10,9 +9,6 @@ namespace eikonal::bake {
 std::unique_ptr<LightMethod> makeMethod(const gpu::Context& context, const MethodPlan& plan, const BakeOptions& options,
                                         const LaunchGrids& grids, const BakeSettings& settings) {
     if (usesPatches(plan.accuracy)) {
-        if (options.eikonal) {
-            throw badInput("accuracy.deposit: expected 'auto' or 'cells' for an eikonal, found 'splat' or 'peak'");
-        }
         return std::make_unique<PatchMethod>(context, plan, grids, settings);
     }
     return std::make_unique<TubeBake>(context, plan, options, grids, settings);

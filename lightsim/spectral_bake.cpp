@@ -51,7 +51,7 @@ void requireKnownByBand(const Scene& scene, const EffectSet& effects, const Bake
     }
     if (scene.accuracy.directional == Directional::kLobes) {
         throw badInput(fmt::format("{}: accuracy.directional: expected 'auto' or 'mean' where something disperses, found "
-                                   "'lobes'", scene.source));
+                                   "'lobes'", describe(scene.placeOf({"accuracy.directional"}))));
     }
     if (options.eikonal) {
         throw badInput(fmt::format("{}: cauchy_b: expected 0 for an eikonal, which is that of one wavelength, found a scene "

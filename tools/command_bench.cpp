@@ -14,6 +14,7 @@ void addBenchCommand(CLI::App& program, const ProgramOptions& options) {
     addBenchAccuracy(*command, options);
     addBenchSpeed(*command, options);
     addBenchEffects(*command, options);
+    command->footer("Example:\n  eikonal bench effects volumes/prism.toml --svg ladder.svg");
 }
 
 } // namespace eikonal

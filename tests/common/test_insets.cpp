@@ -121,7 +121,8 @@ TEST(Insets, RefuseObjectsOverThemWithoutALatticeOfTheirOwn) {
 
 TEST(Insets, RefuseResolutionsThatSmoothingTakesAllOf) {
     EXPECT_EQ(messageOf([] { imageFields(kBall, {"object.0.resolution=14"}); }),
-              "s.toml:3:1: object.resolution: expected at least 15 voxels, of which smoothing takes 7 on each side, found 14");
+              "--set object.0.resolution=14: object.resolution: expected at least 15 voxels, of which smoothing takes 7 on each side, "
+              "found 14");
 }
 
 TEST(Insets, RefuseMoreOfThemThanBits) {

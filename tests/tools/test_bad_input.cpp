@@ -136,12 +136,16 @@ static const std::vector<BadCase> kSceneCases{
      [](const TemporaryFolder& f) {
          return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\ndeposit = \"peak\"\n");
      }},
-    {"ReflectionsWithoutTubes", 3, "accuracy.reflections",
-     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"splat\"\nreflections = 1\n"); }},
-    {"EikonalWithoutTubes", 3, "accuracy.deposit",
+    {"ReflectionsWithoutTubes", 3, "--set accuracy.deposit=splat: accuracy.reflections: expected 0",
      [](const TemporaryFolder& f) {
-         auto arguments = bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"peak\"\n");
-         arguments.push_back("--eikonal");
+         auto arguments = bakeOf(f, kSmallScene + "[accuracy]\nreflections = 1\n");
+         arguments.insert(arguments.end(), {"--set", "accuracy.deposit=splat"});
+         return arguments;
+     }},
+    {"EikonalWithoutTubes", 3, "--set accuracy.deposit=peak: accuracy.deposit: expected 'auto' or 'cells' for an eikonal, found 'peak'",
+     [](const TemporaryFolder& f) {
+         auto arguments = bakeOf(f, kSmallScene + "[accuracy]\ndeposit = \"auto\"\n");
+         arguments.insert(arguments.end(), {"--eikonal", "--set", "accuracy.deposit=peak"});
          return arguments;
      }},
     {"MissingScene", 3, "nowhere.toml",

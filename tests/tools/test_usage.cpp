@@ -8,7 +8,7 @@ namespace eikonal::test {
 
 namespace {
 
-const std::vector<std::string> kCommands{"voxelize", "bake", "render", "view", "trace", "info", "figure"};
+const std::vector<std::string> kCommands{"voxelize", "bake", "render", "view", "trace", "info", "bench", "figure"};
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
