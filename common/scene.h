@@ -147,6 +147,7 @@ struct Camera {
 struct Environment {
     std::optional<std::filesystem::path> image;  ///< latitude-longitude, +Y up, centre +Z, +X at u = 0.25
     std::array<glm::dvec3, 2> gradient{glm::dvec3(0.85, 0.9, 1.0), glm::dvec3(0.25, 0.45, 0.85)};  ///< horizon, zenith
+    bool isOneColour = false;  ///< said as `color`; both ends of the gradient are then that
     double rotate = 0.0;
     double intensity = 1.0;
     bool bake = false;

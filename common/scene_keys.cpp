@@ -52,13 +52,17 @@ Key<Environment> imageKey() {
             }};
 }
 
-/// Shorthand for a gradient of two equal colours, and written as one.
+/// Shorthand for a gradient of two equal colours.
 Key<Environment> colorKey() {
     return {"color",
             [](Environment& environment, const toml::node& node, const std::string& key) {
                 environment.gradient.fill(readVector3(node, key, kNotNegative));
+                environment.isOneColour = true;
             },
-            [](const Environment&) { return std::nullopt; }};
+            [](const Environment& environment) {
+                const bool isSaid = environment.isOneColour && !environment.image;
+                return isSaid ? written(writeVector(environment.gradient[0])) : std::nullopt;
+            }};
 }
 
 Key<Environment> gradientKey() {
@@ -72,8 +76,10 @@ Key<Environment> gradientKey() {
                         readVector3((*colors)[i], fmt::format("{}[{}]", key, i), kNotNegative);
             },
             [](const Environment& environment) {
-                return fmt::format("[{}, {}]", writeVector(environment.gradient[0]),
-                                   writeVector(environment.gradient[1]));
+                const bool isSaid = !environment.isOneColour && !environment.image;
+                return isSaid ? written(fmt::format("[{}, {}]", writeVector(environment.gradient[0]),
+                                                    writeVector(environment.gradient[1])))
+                              : std::nullopt;
             }};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The one table of what a scene file may say: reading, writing, 'did you mean' and the keys of a bake all come from it.
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ struct Key {
 };
 template <class Section>
 using Keys = std::vector<Key<Section>>;
+
+/// Of these the environment has one.
+inline constexpr std::array<std::string_view, 3> kSkyKeys{"image", "color", "gradient"};
 
 const Keys<Domain>& domainKeys();
 const Keys<Medium>& mediumKeys();

@@ -1,5 +1,6 @@
 #include "common/scene_overrides.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <vector>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "common/error.h"
+#include "common/scene_keys.h"
 #include "common/scene_values.h"
 
 namespace eikonal {
@@ -63,6 +65,15 @@ std::string nothingAt(const toml::node& place, const std::vector<std::string>& p
                        parts[i - 1], array->size() == 1 ? "" : "s", parts[i]);
 }
 
+/// Of image, color and gradient the one that is set takes the place of the one that was.
+void displaceSky(toml::table& environment, const std::string& set) {
+    if (std::find(kSkyKeys.begin(), kSkyKeys.end(), set) == kSkyKeys.end())
+        return;
+    for (const std::string_view key : kSkyKeys)
+        if (key != set)
+            environment.erase(key);
+}
+
 } // namespace
 
 void applyOverride(toml::table& scene, const std::string& override) {
@@ -83,6 +94,8 @@ void applyOverride(toml::table& scene, const std::string& override) {
         throw badInput(fmt::format("{}: expected the path of a single value, as in 'domain.resolution' or "
                                    "'object.0.ior'",
                                    source));
+    if (parts.size() == 2 && parts.front() == "environment")
+        displaceSky(*table, parts.back());
     toml::table parsed = parseValue(override.substr(equals + 1), source);
     parsed.get("value")->visit([&](auto& value) { table->insert_or_assign(parts.back(), std::move(value)); });
 }

@@ -149,9 +149,13 @@ void checkEnvironment(const toml::table& root, const Scene& scene) {
     if (!node)
         return;
     requireFile(scene, *node->as_table(), "image", "environment");
-    if (node->as_table()->contains("color") && node->as_table()->contains("gradient"))
-        throw badInput(fmt::format("{}: environment: expected one of 'color' and 'gradient', found both",
-                                   describe(positionOf(*node))));
+    std::vector<std::string_view> found;
+    for (const std::string_view key : kSkyKeys)
+        if (node->as_table()->contains(key))
+            found.push_back(key);
+    if (found.size() > 1)
+        throw badInput(fmt::format("{}: environment: expected one of 'image', 'color' and 'gradient', found '{}'",
+                                   describe(positionOf(*node)), fmt::join(found, "' and '")));
 }
 
 void readScene(const toml::table& root, Scene& scene) {

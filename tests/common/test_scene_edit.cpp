@@ -86,6 +86,13 @@ TEST(SceneEdit, AddsValuesToTheLastTableAndTablesBehindIt) {
     }
 }
 
+TEST(SceneEdit, KeepsTheSpellingOfTheSky) {
+    const std::string text = "[environment]\ncolor = [0, 0, 0]  # night\n# stars?\n";
+    EXPECT_EQ(editedToml(text, ".", sceneOf(text, {"environment.color=[1, 1, 1]"})), replaced(text, "[0, 0, 0]", "[1, 1, 1]"));
+    const std::string gradient = editedToml(text, ".", sceneOf(text, {"environment.gradient=[[1, 1, 1], [0, 0, 1]]"}));
+    EXPECT_EQ(gradient, "[environment]\ngradient = [[1, 1, 1], [0, 0, 1]]\n# stars?\n");
+}
+
 TEST(SceneEdit, SaysWhatItIsAskedToAfterManyChanges) {
     const std::vector<std::string> overrides{"object.0.ior=1.25", "object.0.absorption=0", "medium.scattering=0.4",
                                              "light.0.power=[7, 7, 7]", "render.samples=9", "render.effects=[\"refraction\"]",

@@ -161,7 +161,8 @@ TEST(SceneToml, ValuesThatContradictEachOtherAreErrors) {
     EXPECT_TRUE(contains(errorOf("[domain]\nmin = [2, -1, -1]\n"), "expected max > min in x"));
     EXPECT_TRUE(contains(errorOf("[camera]\nposition = [0, 0, 0]\n"), "look_at away from position"));
     EXPECT_TRUE(contains(errorOf("[camera]\nup = [0, 0, 1]\n"), "up not along the view"));
-    EXPECT_TRUE(contains(errorOf("[environment]\ncolor = [1,1,1]\ngradient = [[1,1,1],[1,1,1]]\n"), "found both"));
+    EXPECT_TRUE(contains(errorOf("[environment]\ncolor = [1,1,1]\ngradient = [[1,1,1],[1,1,1]]\n"),
+                         "s.toml:1:1: environment: expected one of 'image', 'color' and 'gradient', found 'color' and 'gradient'"));
     EXPECT_TRUE(contains(errorOf("[[object]]\nshape = \"box\"\nmesh = \"a.ply\"\n"), "expected one of"));
     EXPECT_TRUE(contains(errorOf("[[object]]\nshape = \"rounded_box\"\nradius = 0.6\n"), "half the shortest edge"));
     EXPECT_TRUE(contains(errorOf("[object]\n"), "[[object]]"));
@@ -206,6 +207,32 @@ TEST(SceneToml, OverridesAreCheckedLikeTheFile) {
     EXPECT_TRUE(contains(errorOf(text, {"light.0.power=[1,1,1]"}), "the scene has no 'light'"));
     EXPECT_TRUE(contains(errorOf(text, {"domian.min=[0, 0, 0]"}), "--set domian.min=[0, 0, 0]: unknown section 'domian', did you mean 'domain'?"));
     EXPECT_TRUE(contains(errorOf(text, {"domain"}), "wrong exit code")) << "usage, not input";
+}
+
+TEST(SceneToml, AnOverrideThatDoesNotFitTheFileIsNamedItself) {
+    const std::string text = "[domain]\nmax = [2, 2, 2]\n[camera]\nfov = 30\n[accuracy]\ndeposit = \"auto\"\n[environment]\nrotate = 1\n"
+                             "[[object]]\nshape = \"rounded_box\"\n[[object]]\nshape = \"torus\"\n";
+    const auto begins = [&](const std::string& override, const std::string& what) {
+        const std::string error = errorOf(text, {override});
+        EXPECT_EQ(error.rfind("--set " + override + ": " + what, 0), 0u) << error;
+    };
+    begins("camera.up=[0, 0, 1]", "camera: ");
+    begins("domain.min=[3, 3, 3]", "domain: ");
+    begins("object.0.radius=0.6", "object.0.radius: ");
+    begins("object.1.radius=0.1", "object.1.tube: ");
+    EXPECT_EQ(errorOf(text + "[render]\n", {"render.samples=0"}).rfind("--set render.samples=0: ", 0), 0u);
+    EXPECT_EQ(errorOf("", {"camera.up=[0, 0, 1]"}).rfind("--set camera.up=[0, 0, 1]: camera: ", 0), 0u);
+    EXPECT_TRUE(contains(errorOf("[camera]\nup = [0, 0, 1]\n"), "s.toml:1:1: camera: ")) << "the file, if it is that";
+}
+
+TEST(SceneToml, ALookOfTheSkyThatIsSetTakesThePlaceOfTheOther) {
+    const std::string text = "[environment]\ncolor = [1, 2, 3]\n";
+    const Scene scene = sceneOf(text, {"environment.gradient=[[1, 1, 1], [2, 2, 2]]"});
+    EXPECT_EQ(scene.environment.gradient[1], glm::dvec3(2.0));
+    EXPECT_TRUE(contains(resolvedToml(sceneOf(text)), "color = [1, 2, 3]\n"));
+    EXPECT_FALSE(contains(resolvedToml(sceneOf(text)), "gradient"));
+    const Scene last = sceneOf(text, {"environment.gradient=[[1, 1, 1], [2, 2, 2]]", "environment.color=[4, 4, 4]"});
+    EXPECT_EQ(last.environment.gradient[0], glm::dvec3(4.0));
 }
 
 TEST(SceneToml, ShippedScenesLoad) {

@@ -54,6 +54,7 @@ void writeEnvironmentWithNan(const TemporaryFolder& folder) {
     writeExr(folder.path() / "sky.exr", {8, 4}, {{"R", &values}, {"G", &values}, {"B", &values}}, {});
 }
 
+const std::vector<float> kSky{1.0f, 1.0f};
 const std::string kVolumeObject = "[[object]]\nvolume = \"small.vdb\"\n";
 
 class BadInput : public testing::TestWithParam<BadCase> {};
@@ -130,9 +131,12 @@ static const std::vector<BadCase> kVolumeCases{
 };
 
 static const std::vector<BadCase> kSceneCases{
-    {"IntegratorThatLightDoesNotHave", 3, "accuracy.integrator",
-     [](const TemporaryFolder& f) { return bakeOf(f, kSmallScene + "[accuracy]\nintegrator = \"euler\"\n"); }},
-    {"LobesOfADepositWithOneDirection", 3, "accuracy.directional",
+    {"TwoSkies", 3, "expected one of 'image', 'color' and 'gradient', found 'image' and 'color'",
+     [](const TemporaryFolder& f) {
+         writeExr(f.path() / "sky.exr", {2, 1}, {{"R", &kSky}, {"G", &kSky}, {"B", &kSky}}, {});
+         return renderOf(f, kSmallScene + "[environment]\nimage = \"sky.exr\"\ncolor = [1, 1, 1]\n");
+     }},
+    {"LobesOfADepositWithOneDirection", 3, ".toml:18:15: accuracy.directional: expected 'auto' or 'mean'",
      [](const TemporaryFolder& f) {
          return bakeOf(f, kSmallScene + "[accuracy]\ndirectional = \"lobes\"\ndeposit = \"peak\"\n");
      }},
