@@ -43,9 +43,13 @@ void requireAvailable(const Scene& scene) {
     }
 }
 
-void requireIntegratorOfLight(const Scene& scene) {
-    require(scene, integratorOf(scene.accuracy) == Integrator::kLeapfrog, "accuracy.integrator",
-            "'auto' or 'leapfrog' where light is simulated; for viewing rays with another, give `render` a bake made without it");
+std::optional<std::string> warningOfIntegrator(const Scene& scene) {
+    const Integrator asked = integratorOf(scene.accuracy);
+    if (asked == Integrator::kLeapfrog) return std::nullopt;
+    const auto isIt = [asked](const auto& named) { return named.second == asked; };
+    return fmt::format("{}: accuracy.integrator: '{}' is for viewing rays; light goes by leapfrog",
+                       describe(scene.placeOf({"accuracy.integrator"})),
+                       std::find_if(kIntegrators.begin(), kIntegrators.end(), isIt)->first);
 }
 
 } // namespace eikonal

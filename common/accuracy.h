@@ -2,6 +2,8 @@
 // What "auto" means where a scene leaves its accuracy to the program.
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -17,6 +19,11 @@ constexpr double kAutoStepVoxels = 0.75;
 inline double stepVoxelsOf(const Accuracy& accuracy) { return accuracy.stepVoxels.value_or(kAutoStepVoxels); }
 
 /// As scenes name them.
+inline constexpr std::array<std::pair<std::string_view, Integrator>, 5> kIntegrators{{{"auto", Integrator::kAuto},
+                                                                                     {"euler", Integrator::kEuler},
+                                                                                     {"leapfrog", Integrator::kLeapfrog},
+                                                                                     {"rk4", Integrator::kRk4},
+                                                                                     {"sharma", Integrator::kSharma}}};
 inline constexpr std::array<std::pair<std::string_view, Interpolation>, 3> kInterpolations{
     {{"auto", Interpolation::kAuto}, {"linear", Interpolation::kLinear}, {"cubic", Interpolation::kCubic}}};
 std::string_view interpolationName(Interpolation interpolation);
@@ -28,7 +35,7 @@ Integrator integratorOf(const Accuracy& accuracy);
 
 /// Throws badInput for methods that exclude each other.
 void requireAvailable(const Scene& scene);
-/// Throws badInput for an integrator that light is not advanced by: a scene that asks for it must not get another in silence.
-void requireIntegratorOfLight(const Scene& scene);
+/// For the user where light is simulated and the scene asks for an integrator that light does not go by.
+std::optional<std::string> warningOfIntegrator(const Scene& scene);
 
 } // namespace eikonal

@@ -14,11 +14,6 @@
 namespace eikonal {
 namespace {
 
-constexpr std::pair<std::string_view, Integrator> kIntegrators[] = {{"auto", Integrator::kAuto},
-                                                                   {"euler", Integrator::kEuler},
-                                                                   {"leapfrog", Integrator::kLeapfrog},
-                                                                   {"rk4", Integrator::kRk4},
-                                                                   {"sharma", Integrator::kSharma}};
 constexpr std::pair<std::string_view, Deposit> kDeposits[] = {
     {"auto", Deposit::kAuto}, {"splat", Deposit::kSplat}, {"cells", Deposit::kCells}, {"peak", Deposit::kPeak}};
 constexpr std::pair<std::string_view, Directional> kDirectionals[] = {

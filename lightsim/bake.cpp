@@ -104,7 +104,7 @@ LightSimulator::LightSimulator(const gpu::Context& context, const Scene& scene, 
     : context_(context), accuracy_(scene.accuracy), fields_(fields), effects_(effects), options_(options),
       interpolation_(bake::interpolationOfLight(scene.accuracy, fields.ior)),
       lobeCriterion_(std::make_unique<bake::LobeCriterion>(scene.accuracy, fields, effects)) {
-    requireIntegratorOfLight(scene);
+    requireTubesForEikonal(scene, options);
     bake::requireKnownByBand(scene, effects, options);
 }
 

@@ -123,7 +123,6 @@ std::vector<FrontPatch> frontAt(double opticalTime, bake::Wavefront& wavefront, 
 std::vector<FrontPatch> frontsAt(const gpu::Context& context, const Scene& scene, const Fields& fields,
                                  const EffectSet& effects, const std::vector<double>& opticalTimes,
                                  const BakeOptions& options) {
-    requireIntegratorOfLight(scene);
     Accuracy accuracy = scene.accuracy;
     if (!bake::usesPatches(accuracy)) {
         accuracy.deposit = Deposit::kSplat;

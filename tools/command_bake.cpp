@@ -81,6 +81,7 @@ void runFronts(const BakeArguments& arguments, const ProgramOptions& options) {
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
     warnOf(fields.warnings, progress);
+    warnOfLight(scene, progress);
     const EffectSet effects = decideEffects(scene, fields);
     explainEffects(arguments.scene, effects, fields, progress);
     BakeOptions bakeOptions;
@@ -165,6 +166,7 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     progress.update("composing fields", 0.0);
     const Fields fields = composeFields(scene);
     warnOf(fields.warnings, progress);
+    warnOfLight(scene, progress);
     requireVdbHolds(arguments.output, fields.lattice);
     const EffectSet effects = decideEffects(scene, fields);
     explainEffects(arguments.scene, effects, fields, progress);

@@ -73,6 +73,7 @@ Light lightOf(const RenderArguments& arguments, const gpu::Context& context, con
     if (!stages.image.effects.wantsLight(scene)) {
         return {};
     }
+    warnOfLight(scene, progress);
     BakeOptions options;
     options.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
     BakeResult result = bakeScene(context, scene, fields, stages.light.effects, options);

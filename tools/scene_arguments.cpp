@@ -8,6 +8,7 @@
 
 #include "common/accuracy.h"
 #include "common/scene_toml.h"
+#include "tools/terminal.h"
 #include "tools/usage.h"
 
 namespace eikonal {
@@ -95,6 +96,12 @@ void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOpti
 
 void addExplainFlag(CLI::App& command, SceneArguments& arguments) {
     command.add_flag("--explain", arguments.explain, "first tell which effects are on, why, with which grids and how many bytes");
+}
+
+void warnOfLight(const Scene& scene, Progress& progress) {
+    if (const auto warning = warningOfIntegrator(scene)) {
+        warnOf({*warning}, progress);
+    }
 }
 
 Scene sceneOf(const SceneArguments& arguments) {

@@ -12,6 +12,8 @@ class App;
 
 namespace eikonal {
 
+class Progress;
+
 struct SceneArguments {
     std::string file;
     std::vector<std::string> overrides;  ///< "key.path=value" in the order given, options for single keys last
@@ -34,6 +36,9 @@ void addSizeKey(CLI::App& command, SceneArguments& arguments, const SceneKeyOpti
 
 /// For commands that call explainEffects (tools/effect_table.h).
 void addExplainFlag(CLI::App& command, SceneArguments& arguments);
+
+/// Says on stderr what light is simulated without, of what the scene asks for.
+void warnOfLight(const Scene& scene, Progress& progress);
 
 /// The scene with its overrides. Throws badInput as loadScene and requireAvailable.
 Scene sceneOf(const SceneArguments& arguments);

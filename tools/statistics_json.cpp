@@ -85,6 +85,7 @@ nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effec
           {"refused_splits", patches.refusedSplits}}},
         {"lobe_voxels", statistics.lobeVoxels},
         {"energy", energyJson(statistics)},
+        {"integrator", "leapfrog"},
         {"interpolation", interpolationName(statistics.interpolation)},
         {"effects", effectsJson(effects)},
         {"device", statistics.device},

@@ -121,6 +121,43 @@ TEST(BakeCommand, StatisticsHoldTheDocumentedKeys) {
     }
 }
 
+TEST(BakeCommand, SecondsAreAllThatSomebodyWaitsFor) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_EQ(runEikonal({"bake", scene, "-o", folder.file("b_##.vdb"), "--frames", "3", "--stats", folder.file("b.json"), "--set",
+                          "domain.resolution=32"}).exitCode, 0);
+    const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const json statistics = json::parse(readText(folder.file("b.json")));
+    double told = 0.0;
+    for (const json& frame : statistics.at("frames")) {
+        told += frame["seconds"]["total"].get<double>();
+    }
+    EXPECT_LE(told, waited);
+    EXPECT_GT(told, 0.7 * waited);  // the rest is the program's start and end
+}
+
+TEST(BakeCommand, LightGoesByLeapfrogAndSaysSo) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.toml", kSmallScene);
+    const auto run = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin() + 1, scene);
+        const RunResult result = runEikonal(arguments);
+        EXPECT_EQ(result.exitCode, 0) << result.err;
+        return result.err;
+    };
+    const std::string plain = run({"bake", "-o", folder.file("a.vdb")});
+    const std::string euler = run({"bake", "-o", folder.file("b.vdb"), "--set", "accuracy.integrator=euler"});
+    const std::string warning = "--set accuracy.integrator=euler: accuracy.integrator: 'euler' is for viewing rays; light goes by leapfrog";
+    EXPECT_FALSE(contains(plain, "integrator")) << plain;
+    EXPECT_TRUE(contains(euler, warning)) << euler;
+    EXPECT_EQ(readVdb(folder.file("a.vdb")).find("irradiance")->vector().values,
+              readVdb(folder.file("b.vdb")).find("irradiance")->vector().values);
+    EXPECT_TRUE(contains(run({"render", "-o", folder.file("a.png"), "--set", "accuracy.integrator=euler"}), warning));
+    run({"render", "-o", folder.file("b.png"), "--set", "accuracy.integrator=euler", "--bake", folder.file("a.vdb")});
+    EXPECT_EQ(readText(folder.file("a.png")), readText(folder.file("b.png"))) << "one bake does for both";
+}
+
 TEST(BakeCommand, EstimatesNoErrorWhereThereIsNoneToEstimateOrNobodyAsks) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.toml", kSmallScene);
