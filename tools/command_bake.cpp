@@ -25,6 +25,7 @@
 #include "tools/front_ply.h"
 #include "tools/scene_arguments.h"
 #include "tools/second_look.h"
+#include "tools/stage_clock.h"
 #include "tools/statistics_json.h"
 #include "tools/terminal.h"
 #include "tools/usage.h"
@@ -159,6 +160,7 @@ private:
 };
 
 void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
+    StageClock clock;
     requireOutputs(arguments);
     const Scene scene = sceneOf(arguments.scene);
     const gpu::Context context = gpu::Context::windowless();
@@ -175,24 +177,34 @@ void runBake(const BakeArguments& arguments, const ProgramOptions& options) {
     bakeOptions.eikonal = arguments.eikonal;
     bakeOptions.progress = [&progress](double fraction) { progress.update("simulating light", fraction); };
     LightSimulator simulator(context, scene, fields, effects, bakeOptions);
+    clock.lap("compose");
     std::optional<SecondLook> secondLook;
     if (!arguments.statistics.empty() && !arguments.noEstimate) {
         secondLook.emplace(context, scene, fields, effects);
+        clock.lap("estimate");
     }
     BakeFiles files(arguments, options, scene, fields);
     std::vector<nlohmann::json> statistics;
-    for (int frame = 0; frame < std::max(arguments.frames, 1); ++frame) {
+    const int frames = std::max(arguments.frames, 1);
+    for (int frame = 0; frame < frames; ++frame) {
         const LightSet placed = lightsAt(lights, frame);
         const auto result = std::make_shared<const BakeResult>(arguments.perLight ? bakePerLight(simulator, placed)
                                                                                   : simulator.bake(placed));
         progress.finish();
+        clock.lap("other", stagesOf(result->statistics.seconds));
         files.write(frame, result);
+        clock.lap("write");
         statistics.push_back(bakeJson(result->statistics, effects));
         if (secondLook) {
             statistics.back()["error_estimate"] = secondLook->estimateJson(placed, result->light);
+            clock.lap("estimate");
         }
+        if (frame + 1 == frames) {
+            files.finish();
+            clock.lap("write");
+        }
+        statistics.back()["seconds"] = clock.take();
     }
-    files.finish();
     if (!arguments.statistics.empty()) {
         writeFile(arguments.statistics, statisticsJson(arguments, statistics).dump(2) + "\n");
     }

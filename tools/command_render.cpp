@@ -20,6 +20,7 @@
 #include "tools/effect_table.h"
 #include "tools/scene_arguments.h"
 #include "tools/second_look.h"
+#include "tools/stage_clock.h"
 #include "tools/statistics_json.h"
 #include "tools/terminal.h"
 #include "tools/usage.h"
@@ -108,6 +109,7 @@ void addEstimates(nlohmann::json& statistics, const gpu::Context& context, const
 }
 
 void runRender(const RenderArguments& arguments, const ProgramOptions& options) {
+    StageClock clock;
     requireOutputs(arguments);
     const Scene scene = sceneOf(arguments.scene);
     const gpu::Context context = gpu::Context::windowless();
@@ -118,7 +120,9 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     const Fields& fields = *stages.image.fields;
     const EffectSet& effects = stages.image.effects;
     explainEffects(arguments.scene, effects, fields, progress);
+    clock.lap("compose");
     const Light light = lightOf(arguments, context, scene, stages, progress);
+    clock.lap("light");
     RenderOptions renderOptions;
     renderOptions.channels = hasChannels(arguments.output);
     renderOptions.progress = [&progress](double fraction) {
@@ -127,15 +131,19 @@ void runRender(const RenderArguments& arguments, const ProgramOptions& options) 
     };
     const BakedLight* baked = light.baked ? &*light.baked : nullptr;
     const RenderResult image = renderScene(context, scene, fields, effects, baked, renderOptions);
+    clock.lap("image", {image.statistics.seconds.front()});
     nlohmann::json statistics = statisticsOf(image, light, stages);
     if (!arguments.statistics.empty() && !arguments.noEstimate) {
         addEstimates(statistics, context, asTaken(scene, image), stages, light, renderOptions);
+        clock.lap("estimate");
     }
     progress.finish();
 
     writeRendered(arguments.output, image,
                   attributesOf(image, scene, fmt::format("{} {}", kCreator, kVersion)));
+    clock.lap("write");
     if (!arguments.statistics.empty()) {
+        statistics["seconds"] = clock.take();
         writeFile(arguments.statistics, statistics.dump(2) + "\n");
     }
     note(options, fmt::format("{}: {} x {} pixels, {:.0f} samples each, in {:.2f} s", arguments.output, image.size.x,

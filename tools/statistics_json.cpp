@@ -52,6 +52,18 @@ nlohmann::json bandsJson(const std::vector<BandLedger>& bands) {
     return rows;
 }
 
+/// By stage, `other` what is none of them; their sum is `total`.
+nlohmann::json secondsJson(const BakeSeconds& seconds) {
+    nlohmann::json json{{"total", seconds.total}};
+    double other = seconds.total;
+    for (const auto& [stage, value] : stagesOf(seconds)) {
+        json[stage] = value;
+        other -= value;
+    }
+    json["other"] = other;
+    return json;
+}
+
 } // namespace
 
 nlohmann::json energyJson(const BakeStatistics& statistics) {
@@ -66,16 +78,14 @@ nlohmann::json effectsJson(const EffectSet& effects) {
     return rows;
 }
 
+std::vector<std::pair<std::string, double>> stagesOf(const BakeSeconds& seconds) {
+    return {{"upload", seconds.upload}, {"propagate", seconds.propagate}, {"lobes", seconds.lobes}, {"read", seconds.read}};
+}
+
 nlohmann::json bakeJson(const BakeStatistics& statistics, const EffectSet& effects) {
-    const BakeSeconds& seconds = statistics.seconds;
     const PatchCounts& patches = statistics.patches;
     return {
-        {"seconds",
-         {{"upload", seconds.upload},
-          {"propagate", seconds.propagate},
-          {"lobes", seconds.lobes},
-          {"read", seconds.read},
-          {"total", seconds.total}}},
+        {"seconds", secondsJson(statistics.seconds)},
         {"patches",
          {{"peak", patches.peak},
           {"steps", patches.steps},
@@ -107,16 +117,11 @@ nlohmann::json errorJson(const BakeErrorEstimate& estimate) {
 }
 
 nlohmann::json renderJson(const RenderStatistics& statistics, const EffectSet& effects) {
-    nlohmann::json seconds = nlohmann::json::object();
-    for (const auto& [stage, value] : statistics.seconds) {
-        seconds[stage] = value;
-    }
     nlohmann::json textures = nlohmann::json::array();
     for (const auto& [name, bytes] : statistics.textures) {
         textures.push_back({{"name", name}, {"bytes", bytes}});
     }
     return {
-        {"seconds", seconds},
         {"rays", statistics.rays},
         {"reflected_rays", statistics.reflectedRays},
         {"samples", statistics.samples},

@@ -41,6 +41,19 @@ std::vector<std::vector<std::string>> csvRows(const std::string& text) {
     return rows;
 }
 
+/// Stages of --stats that are all there is.
+void expectSumOfStages(const json& seconds, const std::vector<std::string>& stages) {
+    double sum = 0.0;
+    for (const std::string& stage : stages) {
+        ASSERT_TRUE(seconds.contains(stage)) << stage << " in " << seconds;
+        EXPECT_GE(seconds[stage], -1e-9) << stage;  // differences of clocks' readings
+        sum += seconds[stage].get<double>();
+    }
+    EXPECT_EQ(seconds.size(), stages.size() + 1) << seconds;
+    EXPECT_GT(seconds["total"], 0.0);
+    EXPECT_NEAR(seconds["total"], sum, 1e-9 * sum);  // rounding
+}
+
 const std::string kTraceHeader = "x,y,z,dx,dy,dz,optical_length,length,depth_r,depth_g,depth_b,steps,status";
 
 } // namespace
@@ -115,7 +128,7 @@ TEST(BakeCommand, StatisticsHoldTheDocumentedKeys) {
     for (const char* key : {"propagation", "averaging", "field_evaluations", "seconds"}) {
         EXPECT_TRUE(statistics["error_estimate"].contains(key)) << key;
     }
-    EXPECT_GT(statistics["seconds"]["total"], 0.0);
+    expectSumOfStages(statistics["seconds"], {"compose", "upload", "propagate", "lobes", "read", "other", "estimate", "write"});
     for (const double balance : statistics["energy"]["balance"]) {
         EXPECT_LE(std::abs(balance), 0.002);
     }
@@ -267,6 +280,8 @@ TEST(RenderCommand, StatisticsHoldTheDocumentedKeys) {
         runEikonal({"render", scene, "-o", folder.file("a.png"), "--stats", folder.file("a.json")});
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const json statistics = json::parse(readText(folder.file("a.json")));
+    expectSumOfStages(statistics["seconds"], {"compose", "light", "setup", "image", "estimate", "write"});
+    expectSumOfStages(statistics["bake"]["seconds"], {"upload", "propagate", "lobes", "read", "other"});
     for (const char* key : {"seconds", "rays", "samples", "noise", "steps", "field_evaluations", "effects", "device",
                             "memory_bytes", "textures", "error_estimate"}) {
         EXPECT_TRUE(statistics.contains(key)) << key;
