@@ -15,8 +15,7 @@ void readLedger(const gpu::Buffer& rows, double unit, EnergyLedger& ledger);
 enum class VoxelMean { kCube, kHat };
 
 /// ∫ σ_a E dV and ∫ σ_s E dV of the grids, σ interpolated as rays see it. Where E is a mean over hats that is the plain sum
-/// over voxels; where it is a mean over cubes, σ is averaged over the cube too and what varies in it is added to second
-/// order: mean(σE) = mean(σ) mean(E) + h²/12 ∇σ·∇E.
+/// over voxels; where it is a mean over cubes, E is taken as linear in each, as far as it is not below 0 anywhere in it.
 void integrateDeposits(const Fields& fields, VoxelMean mean, const BakedLight& light, EnergyLedger& ledger);
 
 } // namespace eikonal::bake

@@ -1,6 +1,8 @@
 // Energy: what enters is absorbed, scattered, reflected or leaves, and the written grid says the same independently.
 #include <numbers>
+#include <random>
 
+#include "lightsim/ledger.h"
 #include "tests/lightsim/bake_scenes.h"
 
 namespace eikonal {
@@ -73,6 +75,69 @@ TEST(Ledger, LosesAtABoundaryWhereTheGridDoes) {
             // the two, 0.1 %. The rest is where the face lies between voxels, 0.035 % at the most.
             EXPECT_NEAR(energy.depositedAbsorbed[band], energy.absorbed[band], 5e-4 * energy.absorbed[band]) << shiftVoxels;
         }
+    }
+}
+
+/// A trilinear interpolant at a place [voxels from the first one's middle], clamped at the faces.
+double trilinearAt(const DenseGrid<glm::vec3>& grid, const glm::dvec3& place) {
+    const glm::ivec3 base(glm::floor(place));
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
+        const glm::dvec3 share = glm::mix(1.0 - (place - glm::dvec3(base)), place - glm::dvec3(base), glm::dvec3(side));
+        sum += share.x * share.y * share.z * double(grid.at(glm::clamp(base + side, glm::ivec3(0), grid.size - 1)).x);
+    }
+    return sum;
+}
+
+double depositedAbsorbed(const DenseGrid<glm::vec3>& sigmaA, const DenseGrid<glm::vec3>& irradiance) {
+    Fields fields = test::uniformFields(test::cube(sigmaA.size.x, 1.0));
+    fields.sigmaA = sigmaA;
+    EnergyLedger ledger;
+    const BakedLight light{fields.lattice, irradiance, DenseGrid<glm::vec3>(sigmaA.size, glm::vec3(0.0f))};
+    bake::integrateDeposits(fields, bake::VoxelMean::kCube, light, ledger);
+    return ledger.depositedAbsorbed.x;
+}
+
+TEST(Ledger, IntegratesLightThatIsLinearExactly) {
+    constexpr int kSize = 6;
+    const Lattice lattice = test::cube(kSize, 1.0);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> uniform(0.0f, 3.0f);
+    DenseGrid<glm::vec3> sigma(lattice.size, glm::vec3(0.0f)), irradiance = sigma;
+    const auto light = [](const glm::dvec3& place) { return 4.0 + 0.25 * place.x - 0.125 * place.y + 0.5 * place.z; };
+    test::forEachVoxel(lattice, [&](const glm::ivec3& v) {
+        const glm::ivec3 inner = glm::clamp(v, glm::ivec3(2), glm::ivec3(kSize - 3));  // slopes at the faces are one-sided
+        sigma.at(v) = glm::vec3(inner == v ? uniform(random) : 0.0f);
+        irradiance.at(v) = glm::vec3(light(glm::dvec3(v)));
+    });
+    // Two Gauss points along each axis of an eighth of a voxel are exact: there the product is quadratic in each.
+    const double offset = 0.25 / std::sqrt(3.0);
+    double truth = 0.0;
+    test::forEachVoxel(test::cube(4 * kSize, 1.0), [&](const glm::ivec3& point) {
+        const glm::dvec3 middle = 0.25 + 0.5 * glm::dvec3(point / 2) - 0.5;
+        const glm::dvec3 place = middle + offset * (2.0 * glm::dvec3(point % 2) - 1.0);
+        truth += trilinearAt(sigma, place) * light(place) / 64.0;
+    });
+    truth *= std::pow(lattice.voxel, 3);
+    EXPECT_NEAR(depositedAbsorbed(sigma, irradiance), truth, 1e-12 * truth);  // rounding: all values are exact in floats
+}
+
+TEST(Ledger, FindsNothingAbsorbedWhereNoLightIs) {
+    const glm::ivec3 size(12);
+    DenseGrid<glm::vec3> wall(size, glm::vec3(0.0f));
+    for (int i = 6 * 12 * 12; i < 12 * 12 * 12; ++i) {
+        wall.values[std::size_t(i)] = glm::vec3(5.0f);
+    }
+    for (int layer = 0; layer < 12; ++layer) {  // a beam of one voxel along the wall's face, before it and in it
+        DenseGrid<glm::vec3> beam(size, glm::vec3(0.0f));
+        for (int i = 0; i < 12; ++i) {
+            beam.at(i, 6, layer) = glm::vec3(1.0f);
+        }
+        const double length = 2.0, section = std::pow(2.0 / 12.0, 2);
+        // The absorption rises from the middle of the last voxel before the wall to that of the first one in it.
+        const double sigma = layer < 5 ? 0.0 : layer == 5 ? 0.125 * 5.0 : layer == 6 ? 0.875 * 5.0 : 5.0;
+        EXPECT_NEAR(depositedAbsorbed(wall, beam), sigma * length * section, 1e-12) << layer;
     }
 }
 
