@@ -41,6 +41,19 @@ void composeBands(const ObjectLayer& layer, const Lattice& lattice, const Term& 
                });
 }
 
+double meanBy(double before, double g, double added, double gAdded) {
+    return before + added > 0.0 ? (before * g + added * gAdded) / (before + added) : g;
+}
+
+bool differs(const glm::dvec3& bands) { return bands.x != bands.y || bands.y != bands.z; }
+
+/// Before what it belongs to is added to the scattering.
+void composeAnisotropyByBand(const glm::vec3& sigmaS, const glm::dvec3& added, const glm::dvec3& gAdded, double coverage,
+                             glm::vec3& g) {
+    for (int band = 0; band < 3; ++band)
+        g[band] = float(meanBy((1.0 - coverage) * double(sigmaS[band]), g[band], coverage * added[band], gAdded[band]));
+}
+
 /// g is averaged with the scattering that it belongs to as weight, which keeps the mean cosine of what is scattered.
 void composeScattering(const ObjectLayer& layer, Fields& fields) {
     const Object& object = *layer.object;
@@ -48,14 +61,19 @@ void composeScattering(const ObjectLayer& layer, Fields& fields) {
         return;
     ensure(fields.sigmaS, fields.lattice, glm::vec3(0.0f));
     ensure(fields.anisotropy, fields.lattice, 0.0f);
+    if (fields.anisotropyByBand.empty() && differs(object.anisotropy.constant)) {
+        fields.anisotropyByBand = DenseGrid<glm::vec3>(fields.lattice.size, glm::vec3(0.0f));
+        std::transform(fields.anisotropy.values.begin(), fields.anisotropy.values.end(), fields.anisotropyByBand.values.begin(),
+                       [](float g) { return glm::vec3(g); });
+    }
     const std::array terms{notNegative("scattering", object.scattering), anisotropyTerm(object.anisotropy)};
     forCovered(layer, fields.lattice, terms, areaOf(layer),
                [&](std::size_t voxel, double coverage, const auto& values, const glm::dvec3&) {
                    glm::vec3& sigmaS = fields.sigmaS.values[voxel];
                    float& g = fields.anisotropy.values[voxel];
-                   const double before = (1.0 - coverage) * mean(sigmaS), added = coverage * mean(values[0]);
-                   if (before + added > 0.0)
-                       g = float((before * double(g) + added * values[1].x) / (before + added));
+                   if (!fields.anisotropyByBand.empty())
+                       composeAnisotropyByBand(sigmaS, values[0], values[1], coverage, fields.anisotropyByBand.values[voxel]);
+                   g = float(meanBy((1.0 - coverage) * mean(sigmaS), g, coverage * mean(values[0]), values[1].x));
                    sigmaS = mixed(sigmaS, values[0], coverage);
                });
 }
@@ -120,6 +138,21 @@ DenseGrid<float> matterByIndex(const ObjectLayer& layer, const Lattice& lattice)
     for (float& share : matter.values)
         share = strongest > 0.0f ? share / strongest : 0.0f;
     return matter;
+}
+
+/// One grid where bands do not differ after all; else the other holds what is farthest from scattering evenly.
+void finishAnisotropy(Fields& fields) {
+    const auto isScattering = [&](std::size_t v) { return fields.sigmaS.values[v] != glm::vec3(0.0f); };
+    spreadByOneVoxel(fields.anisotropy, isScattering);
+    auto& byBand = fields.anisotropyByBand.values;
+    if (byBand.empty())
+        return;
+    spreadByOneVoxel(fields.anisotropyByBand, isScattering);
+    std::transform(byBand.begin(), byBand.end(), fields.anisotropy.values.begin(), [](const glm::vec3& g) {
+        return *std::max_element(&g.x, &g.x + 3, [](float a, float b) { return std::abs(a) < std::abs(b); });
+    });
+    if (std::none_of(byBand.begin(), byBand.end(), [](const glm::vec3& g) { return differs(glm::dvec3(g)); }))
+        fields.anisotropyByBand = {};
 }
 
 void finishIndex(Fields& fields) {
@@ -257,6 +290,7 @@ void finishFields(Fields& fields) {
     if (allZero(fields.sigmaS)) {
         fields.sigmaS = {};
         fields.anisotropy = {};
+        fields.anisotropyByBand = {};
     }
     if (allZero(fields.roughness))
         fields.roughness = {};
@@ -268,7 +302,7 @@ void finishFields(Fields& fields) {
         fields.albedo = {};
     }
     if (!fields.sigmaS.empty())
-        spreadByOneVoxel(fields.anisotropy, [&](std::size_t v) { return fields.sigmaS.values[v] != glm::vec3(0.0f); });
+        finishAnisotropy(fields);
     if (!fields.opaque.empty())
         spreadByOneVoxel(fields.albedo, [&](std::size_t v) { return fields.opaque.values[v] > 0.0f; });
     finishIndex(fields);

@@ -138,7 +138,7 @@ constexpr std::array<EffectRow, 10> kEffects{{
      [](const Scene&, const Fields& fields) {
          return decideByMatter(isHeld(fields, fields.sigmaS, gpu::kInsetScattering), "scatters", {"scattering", "anisotropy"});
      },
-     [](const Fields& fields) { return bytesOf(fields.sigmaS) + bytesOf(fields.anisotropy); }, Effect::kScattering},
+     [](const Fields& fields) { return bytesOf(fields.sigmaS) + bytesOf(fields.anisotropy) + bytesOf(fields.anisotropyByBand); }, Effect::kScattering},
     {Effect::kEmission, "emission",
      [](const Scene&, const Fields& fields) {
          return decideByMatter(isHeld(fields, fields.emission, gpu::kInsetEmission), "emits", {"emission"});

@@ -79,7 +79,8 @@ void boundMatter(const Fields& fields, const VoxelRange& reach, FieldBrick& bric
         brick.scatters || anyIn(fields.sigmaA, reach, something) || anyIn(fields.emission, reach, something);
     brick.evenMatter = !brick.matter || (isEven(fields.sigmaA, reach) && isEven(fields.sigmaS, reach) &&
                                          isEven(fields.emission, reach) &&
-                                         (!brick.scatters || isEven(fields.anisotropy, reach)));
+                                         (!brick.scatters || (isEven(fields.anisotropy, reach) &&
+                                                              isEven(fields.anisotropyByBand, reach))));
     brick.opaque = anyIn(fields.opaque, reach, [](float coverage) { return coverage > 0.0f; });
 }
 

@@ -22,7 +22,7 @@ Object backgroundOf(const Scene& scene) {
     background.ior = scene.domain.ior;
     background.absorption = scene.medium.absorption;
     background.scattering = scene.medium.scattering;
-    background.anisotropy.constant = glm::dvec3(scene.medium.anisotropy);
+    background.anisotropy = scene.medium.anisotropy;
     background.where.file = scene.source;
     return background;
 }

@@ -31,6 +31,8 @@ struct Fields {
     DenseGrid<glm::vec3> sigmaA;       ///< absorption [1 / scene unit]
     DenseGrid<glm::vec3> sigmaS;       ///< scattering [1 / scene unit]
     DenseGrid<float> anisotropy;       ///< Henyey-Greenstein g; present with sigmaS
+    DenseGrid<glm::vec3> anisotropyByBand;  ///< g of each band where bands differ, and anisotropy is that farthest from 0;
+                                            ///< empty: nowhere
     DenseGrid<glm::vec3> emission;     ///< radiance per scene unit
     DenseGrid<float> opaque;           ///< area coverage by opaque matter, 0 to 1
     DenseGrid<glm::vec3> albedo;       ///< of opaque surfaces; present with opaque

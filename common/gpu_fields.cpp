@@ -82,6 +82,22 @@ bool isZero(const DenseGrid<float>& grid) {
     return std::all_of(grid.values.begin(), grid.values.end(), [](float value) { return value == 0.0f; });
 }
 
+bool differsByBand(const Fields& fields) {
+    return !fields.anisotropyByBand.empty() || std::any_of(fields.insets.begin(), fields.insets.end(), [](const Inset& inset) {
+        return inset.grids->has(gpu::kInsetAnisotropy);
+    });
+}
+
+/// g of each band on the domain's lattice, where bands differ there or in an inset.
+DenseGrid<glm::vec3> anisotropyByBand(const Fields& fields) {
+    if (!fields.anisotropyByBand.empty()) return fields.anisotropyByBand;
+    if (fields.anisotropy.empty()) return oneVoxel(glm::vec3(0.0f));
+    DenseGrid<glm::vec3> grid(fields.anisotropy.size, glm::vec3(0.0f));
+    std::transform(fields.anisotropy.values.begin(), fields.anisotropy.values.end(), grid.values.begin(),
+                   [](float g) { return glm::vec3(g); });
+    return grid;
+}
+
 /// Whether nothing scatters but evenly.
 bool isIsotropic(const Fields& fields) {
     const auto forward = [](const glm::vec4& scattering) { return scattering.a != 0.0f; };
@@ -150,6 +166,10 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
     add(Effect::kAbsorption, gpu::kUnitSigmaA, "sigma_a", fields.sigmaA, {});
     add(Effect::kScattering, gpu::kUnitSigmaS, "sigma_s", fields.sigmaS, fields.anisotropy);
     if (effects.has(Effect::kScattering) && isIsotropic(fields)) defines_.push_back("ISOTROPIC_SCATTERING");
+    if (effects.has(Effect::kScattering) && differsByBand(fields)) {
+        textures_.push_back({gpu::kUnitAnisotropy, colourTexture(context, anisotropyByBand(fields), {}, "anisotropy")});
+        defines_.push_back("ANISOTROPY_BY_BAND");
+    }
     add(Effect::kEmission, gpu::kUnitEmission, "emission", fields.emission, {});
     add(Effect::kOpaque, gpu::kUnitOpaque, "opaque", fields.albedo, fields.opaque);
     if (!fields.insets.empty()) {

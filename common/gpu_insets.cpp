@@ -24,7 +24,8 @@ std::optional<Effect> effectOf(int quantity) {
         case gpu::kInsetIndex: return Effect::kRefraction;
         case gpu::kInsetDispersion: return Effect::kDispersion;
         case gpu::kInsetAbsorption: return Effect::kAbsorption;
-        case gpu::kInsetScattering: return Effect::kScattering;
+        case gpu::kInsetScattering:
+        case gpu::kInsetAnisotropy: return Effect::kScattering;
         case gpu::kInsetEmission: return Effect::kEmission;
         case gpu::kInsetOpaque: return Effect::kOpaque;
         default: return std::nullopt;

@@ -72,7 +72,7 @@ Fields withoutMargin(const Fields& fields, const Lattice& lattice) {
     for (DenseGrid<float> Fields::* grid : {&Fields::ior, &Fields::cauchyB, &Fields::anisotropy, &Fields::opaque})
         inner.*grid = withoutMargin(fields.*grid);
     for (DenseGrid<glm::vec3> Fields::* grid : {&Fields::iorGradient, &Fields::cauchyGradient, &Fields::sigmaA, &Fields::sigmaS,
-                                                &Fields::emission, &Fields::albedo})
+                                                &Fields::anisotropyByBand, &Fields::emission, &Fields::albedo})
         inner.*grid = withoutMargin(fields.*grid);
     inner.interface = withoutMargin(fields.interface);
     return inner;
@@ -140,6 +140,11 @@ void fillMatter(const ObjectLayer& layer, const Fields& composed, InsetGrids& gr
     scattering.everywhere.w = float(object.anisotropy.constant.x);
     if (scattering.present && (!scattering.varying.empty() || !isEverywhere(layer, "anisotropy", object.anisotropy)))
         scattering.varying = withAlpha(composed.sigmaS, composed.anisotropy);
+    if (!composed.anisotropyByBand.empty()) {
+        grids.quantities[gpu::kInsetAnisotropy] = everywhere(glm::vec4(glm::vec3(object.anisotropy.constant), 1.0f));
+        if (!isEverywhere(layer, "anisotropy", object.anisotropy))
+            grids.quantities[gpu::kInsetAnisotropy].varying = withAlpha(composed.anisotropyByBand, {});
+    }
 }
 
 void fillOpaque(const ObjectLayer& layer, const Fields& composed, InsetGrids& grids) {

@@ -49,7 +49,7 @@ struct Domain {
 
 struct Medium {
     Quantity scattering, absorption;  ///< per scene unit
-    double anisotropy = 0.0;          ///< Henyey-Greenstein g
+    Quantity anisotropy;              ///< Henyey-Greenstein g
 };
 
 /// Where the shape of an object comes from.

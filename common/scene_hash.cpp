@@ -85,6 +85,8 @@ std::string sceneHash(const Scene& scene, const Fields& fields) {
     hash.add(fields.sigmaA);
     hash.add(fields.sigmaS);
     hash.add(fields.anisotropy);
+    if (!fields.anisotropyByBand.empty())
+        hash.add(fields.anisotropyByBand);
     hash.add(fields.emission);
     hash.add(fields.opaque);
     hash.add(fields.albedo);

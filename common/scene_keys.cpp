@@ -138,7 +138,7 @@ const Keys<Medium>& mediumKeys() {
     static const Keys<Medium> table{
         keys::quantity<Medium>("scattering", &Medium::scattering, kNotNegative, Bands::kThree),
         keys::quantity<Medium>("absorption", &Medium::absorption, kNotNegative, Bands::kThree),
-        keys::number<Medium>("anisotropy", &Medium::anisotropy, kAnisotropyRange),
+        keys::quantity<Medium>("anisotropy", &Medium::anisotropy, kAnisotropyRange, Bands::kThree),
     };
     return table;
 }

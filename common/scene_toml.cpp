@@ -80,13 +80,7 @@ void checkShape(const toml::table& table, const std::string& path, const Shape& 
     }
     if (const auto* torus = std::get_if<TorusShape>(&shape); torus && torus->tube > torus->radius)
         throw badInput(fmt::format("{}: {}.tube: expected at most the radius, {}, found {}",
-                                   describe(positionOf(table)), path, torus->radius, torus->tube));
-}
-
-void checkAnisotropy(const std::string& path, const Quantity& g) {
-    if (g.constant.x != g.constant.y || g.constant.y != g.constant.z)
-        throw badInput(fmt::format("{}: {}.anisotropy: expected the same value in all bands, found [{}, {}, {}]",
-                                   describe(g.where), path, g.constant.x, g.constant.y, g.constant.z));
+                                   describe(positionOf(table, {"tube", "radius"})), path, torus->radius, torus->tube));
 }
 
 Object readObject(const Scene& scene, const toml::table& table, const std::string& path) {
@@ -99,7 +93,6 @@ Object readObject(const Scene& scene, const toml::table& table, const std::strin
     requireFile(scene, table, "mesh", path);
     requireFile(scene, table, "volume", path);
     checkShape(table, path, object.shape);
-    checkAnisotropy(path, object.anisotropy);
     return object;
 }
 

@@ -74,7 +74,8 @@ Fields fieldsOfBand(const Fields& fields, const SpectralBand& band) {
     result.cauchyB = {};
     result.cauchyGradient = {};
     for (DenseGrid<glm::vec3> Fields::* constants :
-         {&Fields::sigmaA, &Fields::sigmaS, &Fields::emission, &Fields::albedo, &Fields::reflectionTint}) {
+         {&Fields::sigmaA, &Fields::sigmaS, &Fields::anisotropyByBand, &Fields::emission, &Fields::albedo,
+          &Fields::reflectionTint}) {
         result.*constants = inAllBands(fields.*constants, band.channel);
     }
     return result;
@@ -101,7 +102,7 @@ std::optional<double> cauchyOverRefractivity(const Fields& fields) {
 
 bool isGrey(const Inset& inset) {
     const auto grey = [](const glm::vec4& value) { return value.x == value.y && value.y == value.z; };
-    for (const int quantity : {gpu::kInsetAbsorption, gpu::kInsetScattering, gpu::kInsetOpaque}) {
+    for (const int quantity : {gpu::kInsetAbsorption, gpu::kInsetScattering, gpu::kInsetAnisotropy, gpu::kInsetOpaque}) {
         const InsetQuantity& of = inset.grids->quantities[std::size_t(quantity)];
         if (!grey(of.everywhere) || !std::all_of(of.varying.begin(), of.varying.end(), grey)) {
             return false;

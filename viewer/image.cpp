@@ -43,7 +43,7 @@ void placeLight(gpu::ViewBlock& view, const BakedLight& bake, const Lattice& dom
 }
 
 bool hasGreyMatter(const Fields& fields) {
-    return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.albedo) &&
+    return isGrey(fields.sigmaA) && isGrey(fields.sigmaS) && isGrey(fields.anisotropyByBand) && isGrey(fields.albedo) &&
            std::all_of(fields.insets.begin(), fields.insets.end(), [](const Inset& inset) { return isGrey(inset); });
 }
 

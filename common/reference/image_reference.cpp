@@ -158,7 +158,7 @@ Walk Walk::reflection(const f64::Polarised& reflected, double nEnd) const {
 }
 
 /// Irradiance times phase function, summed over the lobes of a voxel.
-glm::dvec3 phasedVoxel(const BakedLight& light, const glm::ivec3& voxel, const glm::dvec3& direction, double g) {
+glm::dvec3 phasedVoxel(const BakedLight& light, const glm::ivec3& voxel, const glm::dvec3& direction, const glm::dvec3& g) {
     const VoxelLobes* row = light.lobes.find(std::uint32_t(light.irradiance.offset(voxel.x, voxel.y, voxel.z)));
     const VoxelLobes whole{LightLobe{light.irradiance.at(voxel), light.lightDirection.at(voxel)}};
     glm::dvec3 sum(0.0);
@@ -177,7 +177,7 @@ bool hasLobes(const BakedLight& light, const glm::dvec3& x) {
 }
 
 /// The same at a place: of interpolated moments, or interpolated where lobes are near.
-glm::dvec3 phasedLight(const BakedLight& light, const glm::dvec3& x, const glm::dvec3& direction, double g) {
+glm::dvec3 phasedLight(const BakedLight& light, const glm::dvec3& x, const glm::dvec3& direction, const glm::dvec3& g) {
     if (light.lobes.empty() || !hasLobes(light, x))
         return trilinear(light.irradiance, light.lattice, x) *
                f64::phaseOfFlux(direction, trilinear(light.lightDirection, light.lattice, x), g);

@@ -61,7 +61,9 @@ public:
     glm::dvec3 sigmaS(const glm::dvec3& x) const { return matter(fields_.sigmaS, x); }
     glm::dvec3 emission(const glm::dvec3& x) const { return matter(fields_.emission, x); }
     glm::dvec3 albedo(const glm::dvec3& x) const { return matter(fields_.albedo, x); }
-    double anisotropy(const glm::dvec3& x) const { return share(fields_.anisotropy, x); }
+    glm::dvec3 anisotropy(const glm::dvec3& x) const {
+        return fields_.anisotropyByBand.empty() ? glm::dvec3(share(fields_.anisotropy, x)) : matter(fields_.anisotropyByBand, x);
+    }
     /// Area coverage by opaque matter.
     double coverage(const glm::dvec3& x) const { return share(fields_.opaque, x); }
     const Lattice& lattice() const { return fields_.lattice; }

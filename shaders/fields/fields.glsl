@@ -37,6 +37,7 @@ float finestVoxelAbout(vec3 x) {
 #define surfaceOverDomain(x, below) (below)
 #define matterOverDomain(x, below, quantity) (below)
 #define scatteringOverDomain(x, below) (below)
+#define anisotropyOverDomain(x, below, scattering) (below)
 #define opaqueOverDomain(x, below) (below)
 #endif
 
@@ -165,6 +166,19 @@ layout(binding = kUnitSigmaS) uniform sampler3D sigmaSGrid;
 vec4 sampleSigmaS(vec3 x) {
     return scatteringOverDomain(x, sampleGrid(sigmaSGrid, x));
 }
+
+// Henyey-Greenstein g: of each band, or of all.
+#ifdef ANISOTROPY_BY_BAND
+layout(binding = kUnitAnisotropy) uniform sampler3D anisotropyGrid;
+
+vec3 sampleAnisotropy(vec3 x, vec4 sigmaS) {
+    return anisotropyOverDomain(x, sampleGrid(anisotropyGrid, x).rgb, sampleGrid(sigmaSGrid, x).rgb);
+}
+#else
+float sampleAnisotropy(vec3 x, vec4 sigmaS) {
+    return sigmaS.a;
+}
+#endif
 #endif
 
 #ifdef EFFECT_EMISSION

@@ -199,6 +199,27 @@ vec4 scatteringOverDomain(vec3 x, vec4 below) {
     return below;
 }
 
+#ifdef ANISOTROPY_BY_BAND
+// The same by band, each with its own scattering as weight.
+vec3 anisotropyOverDomain(vec3 x, vec3 below, vec3 scattering) {
+    for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {
+        Inset inset = insetOf(findLSB(left));
+        vec3 place = placeIn(inset, x);
+        if (displaces(inset, place)) {
+            float area = sampleArea(inset, place);
+            vec4 own = sampleOwn(inset, kInsetScattering, place, vec4(vec3(area), 1.0));
+            bool differs = everywhereOf(inset, kInsetAnisotropy).a > 0.0;
+            vec3 g = differs ? sampleOwn(inset, kInsetAnisotropy, place, vec4(1.0)).rgb : vec3(own.a);
+            vec3 kept = (1.0 - area) * scattering;
+            scattering = kept + own.rgb;
+            vec3 mixed = (kept * below + own.rgb * g) / max(scattering, vec3(1.0e-30));
+            below = mix(below, mixed, greaterThan(scattering, vec3(0.0)));
+        }
+    }
+    return below;
+}
+#endif
+
 // Albedo in rgb, coverage by opaque matter in alpha, which transparent matter takes away.
 vec4 opaqueOverDomain(vec3 x, vec4 below) {
     for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {

@@ -20,6 +20,12 @@ real phaseOfFlux(real3 viewDirection, real3 lightDirection, real g) {
     return henyeyGreenstein(-dot(viewDirection, lightDirection) / directed, g * min(directed, 1.0));
 }
 
+// The same with g by band.
+real3 phaseOfFlux(real3 viewDirection, real3 lightDirection, real3 g) {
+    return real3(phaseOfFlux(viewDirection, lightDirection, g.x), phaseOfFlux(viewDirection, lightDirection, g.y),
+                 phaseOfFlux(viewDirection, lightDirection, g.z));
+}
+
 // Largest error of phaseOfFlux, which is in the forward direction, over the phase function's largest value, per 1 - |F|/E and
 // to first order in it. A spread of directions takes l(l + 1)/2 times 1 - |F|/E from the l-th term of the series
 // p = sum (2l + 1) g^l P_l / 4 pi, g |F|/E in place of g takes l times; the sum of the differences is closed.

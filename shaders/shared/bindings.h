@@ -29,6 +29,7 @@ const int kUnitTubeShares = 20;     // the same
 const int kUnitTubeCells = 21;      // rows of cells (light simulator)
 const int kUnitInsetRows = 22;      // rows of objects with lattices of their own
 const int kUnitInsetBricks = 23;    // of which bricks of the domain they are about, two bricks a row
+const int kUnitAnisotropy = 24;     // Henyey-Greenstein g of each band in rgb
 
 // Table of lobes: a row is a voxel's three, the strongest first, each irradiance and flux vector over it; so many rows lie
 // side by side.

@@ -31,7 +31,8 @@ const int kInsetScattering = 4;  // the same of scattering, Henyey-Greenstein g 
 const int kInsetEmission = 5;    // the same of emission
 const int kInsetOpaque = 6;      // albedo in rgb, coverage by opaque matter in alpha; everywhere: its share of the area coverage
 const int kInsetSurface = 7;     // everywhere: factor on what its boundary reflects in rgb, roughness in alpha
-const int kInsetQuantities = 8;
+const int kInsetAnisotropy = 8;  // g of each band in rgb, whatever the coverage; everywhere: 1 in alpha where bands differ
+const int kInsetQuantities = 9;
 
 // Rows of four words, read as texels.
 const int kInsetPlaceRow = 0;

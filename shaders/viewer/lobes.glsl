@@ -3,13 +3,13 @@
 
 layout(binding = kUnitLobes) uniform sampler2D lobeTable;
 
-vec3 phasedLobe(ivec2 at, vec3 viewDirection, float g) {
+vec3 phasedLobe(ivec2 at, vec3 viewDirection, Anisotropy g) {
     vec3 irradiance = texelFetch(lobeTable, at, 0).rgb;
     return irradiance * phaseOfFlux(viewDirection, texelFetch(lobeTable, at + ivec2(1, 0), 0).rgb, g);
 }
 
 // Irradiance times phase function, summed over the lobes of a voxel.
-vec3 phasedLight(ivec3 voxel, vec3 viewDirection, float g) {
+vec3 phasedLight(ivec3 voxel, vec3 viewDirection, Anisotropy g) {
     vec4 direction = texelFetch(lightDirectionGrid, voxel, 0);
     if (direction.a == 0.0) {
         return texelFetch(irradianceGrid, voxel, 0).rgb * phaseOfFlux(viewDirection, direction.rgb, g);
@@ -21,7 +21,7 @@ vec3 phasedLight(ivec3 voxel, vec3 viewDirection, float g) {
 }
 
 // Trilinear mean of what the voxels about x scatter.
-vec3 phasedLobes(vec3 x, vec3 viewDirection, float g) {
+vec3 phasedLobes(vec3 x, vec3 viewDirection, Anisotropy g) {
     ivec3 size = textureSize(lightDirectionGrid, 0);
     vec3 position = (x - view.lightMin) * view.lightScale * vec3(size) - 0.5;
     vec3 base = floor(position);

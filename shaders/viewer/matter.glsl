@@ -14,15 +14,17 @@
 
 #ifdef MATTER
 
+#ifdef EFFECT_SCATTERING
 // Radiance scattered into the ray per scene unit.
 vec3 scatteredRadiance(vec3 x, vec3 direction, vec4 sigmaS) {
 #ifdef BAKED_LIGHT
     if (max(sigmaS.r, max(sigmaS.g, sigmaS.b)) > 0.0) {
-        return sigmaS.rgb * phasedIrradiance(x, direction, sigmaS.a);
+        return sigmaS.rgb * phasedIrradiance(x, direction, sampleAnisotropy(x, sigmaS));
     }
 #endif
     return vec3(0.0);
 }
+#endif
 
 // A piece of length ds around x: no longer than a voxel or so, or of matter that is even.
 void passMatter(inout RayState ray, vec3 x, vec3 direction, float n, float ds) {

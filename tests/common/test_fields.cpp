@@ -208,6 +208,29 @@ TEST(Fields, AnisotropyIsWeightedWithItsScattering) {
     EXPECT_NEAR(fields.anisotropy.at(15, 10, 10), 0.2, 1e-5);
 }
 
+TEST(Fields, AnisotropyByBandIsWeightedWithTheScatteringOfItsBand) {
+    const std::string medium = "[domain]\nresolution = 20\n[medium]\nscattering = [1, 2, 4]\nanisotropy = [0.8, 0.4, -0.9]\n";
+    const std::string box = "[[object]]\nshape = \"box\"\nsize = [1.1, 4, 4]\nscattering = 3\nanisotropy = 0.1\n";
+    const Fields fields = fieldsOf(medium + box);
+    // Half of voxel 15 is the box's.
+    const glm::vec3 mixed = fields.anisotropyByBand.at(15, 10, 10);
+    EXPECT_NEAR(mixed.r, (1.0 * 0.8 + 3.0 * 0.1) / 4.0, 1e-6);
+    EXPECT_NEAR(mixed.g, (2.0 * 0.4 + 3.0 * 0.1) / 5.0, 1e-6);
+    EXPECT_NEAR(mixed.b, (4.0 * -0.9 + 3.0 * 0.1) / 7.0, 1e-6);
+    EXPECT_EQ(fields.anisotropy.at(15, 10, 10), mixed.b) << "farthest from 0";
+    EXPECT_EQ(fields.anisotropyByBand.at(10, 10, 10), glm::vec3(0.1f));
+    EXPECT_TRUE(fieldsOf("[medium]\nscattering = 1\nanisotropy = [0.8, 0.8, 0.8]\n").anisotropyByBand.empty());
+    const Fields covered = fieldsOf(medium + "[[object]]\nshape = \"box\"\nsize = [4, 4, 4]\nscattering = 3\nanisotropy = 0.1\n");
+    EXPECT_TRUE(covered.anisotropyByBand.empty()) << "what differed is covered";
+    EXPECT_EQ(covered.anisotropy.at(15, 10, 10), 0.1f);
+}
+
+TEST(Fields, AnisotropyOfAMediumMayBeAnExpression) {
+    const Fields fields = fieldsOf("[domain]\nresolution = 4\n[medium]\nscattering = 1\nanisotropy = \"0.5*x\"\n");
+    EXPECT_FLOAT_EQ(fields.anisotropy.at(3, 1, 2), 0.375f);
+    EXPECT_TRUE(fields.anisotropyByBand.empty());
+}
+
 TEST(Fields, ImpossibleValuesNameObjectAndPlace) {
     const auto message = [](const std::string& text) { return messageOf([&] { fieldsOf("[domain]\nresolution = 4\n" + text); }); };
     const std::string negative = message("[[object]]\nname = \"lens\"\nshape = \"field\"\nior = \"x\"\n");

@@ -76,6 +76,20 @@ TEST_P(HenyeyGreensteinSlab, ScattersAsTheClosedFormSays) {
 
 INSTANTIATE_TEST_SUITE_P(ThreeAnisotropies, HenyeyGreensteinSlab, testing::Values(-0.5, 0.3, 0.8));
 
+TEST(HenyeyGreensteinSlabByBand, ScattersEachBandByItsOwn) {
+    const double sigma = 1.6;
+    const glm::dvec3 g(-0.5, 0.3, 0.8);
+    for (const double cosine : {0.8, -0.6}) {
+        const glm::dvec3 found = middleOf(slabScene(fmt::format("scattering = {}\nanisotropy = [{}, {}, {}]", sigma, g.r, g.g, g.b),
+                                                    fmt::format("[[light]]\ndirection = [{}, 0, {}]",
+                                                                std::sqrt(1.0 - cosine * cosine), cosine)));
+        for (int band = 0; band < 3; ++band) {
+            const double exact = scattered(sigma, cosine, g[band]);
+            EXPECT_NEAR(found[band], exact, 0.02 * exact) << "cosine " << cosine;  // as above
+        }
+    }
+}
+
 TEST(EmissionColumn, GlowsAsTheClosedFormSays) {
     const glm::dvec3 emission(3.0, 2.0, 1.0), sigma(0.5, 2.0, 5.0);
     const glm::dvec3 clear = middleOf(slabScene("emission = [3, 2, 1]", ""));

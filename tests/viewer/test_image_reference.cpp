@@ -103,6 +103,16 @@ Setting dispersing(Setting setting, int bands) {
     return setting;
 }
 
+/// The setting with smoke that scatters red forwards and blue back.
+Setting scatteringByBand(Setting setting) {
+    Fields& fields = setting.fields;
+    fields.anisotropyByBand = DenseGrid<glm::vec3>(fields.lattice.size, glm::vec3(0.0f));
+    for (std::size_t i = 0; i < fields.anisotropy.values.size(); ++i) {
+        fields.anisotropyByBand.values[i] = fields.anisotropy.values[i] * glm::vec3(1.0f, 0.3f, -0.8f);
+    }
+    return setting;
+}
+
 /// The setting with reflections followed.
 Setting reflecting(Setting setting, int generations) {
     setting.scene.accuracy.reflections = generations;
@@ -265,6 +275,13 @@ TEST(ImageReference, AgreesOnLightOfSeveralLobes) {
     Setting setting = glassInSmoke();
     giveLobes(setting.light);
     expectAgreement(setting, kRounding);
+    expectAgreement(scatteringByBand(setting), kRounding);
+}
+
+TEST(ImageReference, AgreesOnSmokeThatScattersBandsOtherwise) {
+    expectAgreement(scatteringByBand(glassInSmoke()), kRounding);
+    expectAgreement(scatteringByBand(boxInSmoke()), kRoundingAtSurfaces);
+    expectAgreement(scatteringByBand(dispersing(glassInSmoke(), 3)), kRounding);
 }
 
 TEST(ImageReference, AgreesOnReflectionsThatAreFollowed) {

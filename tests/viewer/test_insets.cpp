@@ -283,12 +283,12 @@ Scene gallimaufry() {
     core.albedo = {0.7, 0.3, 0.1};
     Scene scene = sceneOf(64, {ball, core});
     scene.medium.scattering = quantity(dvec3(0.2));
-    scene.medium.anisotropy = 0.2;
+    scene.medium.anisotropy = quantity(dvec3(0.2));
     return scene;
 }
 
-TEST(Insets, OfEveryKindOfMatterLookAsOnTheDomainsLattice) {
-    Scene scene = gallimaufry();
+/// A scene whose objects have lattices of their own, against the same without.
+void expectTheSame(Scene scene) {
     const Fields onDomain = composeFields(scene);
     const Lattice& lattice = onDomain.lattice;
     const BakedLight light{lattice, DenseGrid<glm::vec3>(lattice.size, glm::vec3(2.0f)),
@@ -309,6 +309,20 @@ TEST(Insets, OfEveryKindOfMatterLookAsOnTheDomainsLattice) {
     const double pixels = double(found.size.x * found.size.y);
     // Rounding, and area coverage in 16 bits.
     EXPECT_LE(std::sqrt(squares / (3.0 * pixels)) / (sum / (3.0 * pixels)), 1e-4);
+}
+
+TEST(Insets, OfEveryKindOfMatterLookAsOnTheDomainsLattice) { expectTheSame(gallimaufry()); }
+
+TEST(Insets, ScatterBandsOtherwiseAsOnTheDomainsLattice) {
+    // What is mixed by scattering is no linear function of the coverage between voxels: contrasts of g as in the other scene.
+    const Quantity byBand = quantity({0.5, 0.35, 0.2});
+    const Quantity varying{.constant = dvec3(0.0), .expression = "0.35 + 0.2*x", .where = {}, .given = true};
+    for (const auto& [ofMedium, ofBall] : {std::pair(quantity(dvec3(0.2)), byBand), std::pair(byBand, varying)}) {
+        Scene scene = gallimaufry();
+        scene.medium.anisotropy = ofMedium;
+        scene.objects[0].anisotropy = ofBall;
+        expectTheSame(scene);
+    }
 }
 
 TEST(Insets, ThatMoveAreWhereTheyWouldHaveBeenComposed) {

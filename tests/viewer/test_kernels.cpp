@@ -39,6 +39,8 @@ std::vector<KernelVariant> variants() {
     subsets.push_back({"EFFECT_REFRACTION", "CUBIC_INTERPOLATION"});
     subsets.push_back({"EFFECT_REFRACTION", "EFFECT_DISPERSION", "CUBIC_INTERPOLATION"});
     subsets.push_back({"EFFECT_SCATTERING", "BAKED_LIGHT", "ISOTROPIC_SCATTERING"});
+    subsets.push_back({"EFFECT_SCATTERING", "ANISOTROPY_BY_BAND", "BAKED_LIGHT"});
+    subsets.push_back({"EFFECT_SCATTERING", "EFFECT_OPAQUE", "ANISOTROPY_BY_BAND", "BAKED_LIGHT", "LIGHT_LOBES", "INSETS"});
     for (const char* kernel : {"viewer/accumulate.comp.glsl", "viewer/count.comp.glsl"}) {
         rows.push_back({kernel, {}});
         rows.push_back({kernel, {"EFFECT_REFRACTION", "EFFECT_DISPERSION"}});
