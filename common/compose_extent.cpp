@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "common/compose_layer.h"
+#include "common/depth.h"
 #include "common/error.h"
 #include "common/mesh.h"
 #include "common/shapes.h"
@@ -90,11 +91,11 @@ Extent fieldExtent(const Object& object, const Lattice& lattice) {
     const ShapeDistance distance = signedDistanceOf(object.shape);
     const double roundingSlack = 1e-9 * lattice.voxel / object.scale;
     Extent extent;
-    extent.area = DenseGrid<float>(lattice.size, 0.0f);
+    extent.depth = DenseGrid<float>(lattice.size, 0.0f);
     forEachVoxel(lattice, glm::inverse(object.worldFromLocal()), [&](int i, int j, int k, const glm::dvec3& local) {
-        extent.area.at(i, j, k) = distance(local) <= roundingSlack ? 1.0f : 0.0f;
+        extent.depth.at(i, j, k) = distance(local) <= roundingSlack ? 1.0f : 0.0f;
     });
-    extent.index = extent.area;
+    extent.index = extent.depth;
     return extent;
 }
 
@@ -112,6 +113,7 @@ Extent extentFromDistance(const DenseGrid<float>& distanceVoxels, double smoothV
     const double farAway = distanceBandVoxels(smoothVoxels);
     const glm::ivec3 size = distanceVoxels.size;
     Extent extent{DenseGrid<float>(size, 0.0f), DenseGrid<float>(size, 0.0f), DenseGrid<unsigned char>(size, 0)};
+    extent.knowsDistance = true;
     const std::size_t slab = std::size_t(size.x) * std::size_t(size.y);
     tbb::parallel_for(0, size.z, [&](int k) {
         for (std::size_t v = slab * std::size_t(k); v < slab * std::size_t(k + 1); ++v) {
@@ -119,7 +121,7 @@ Extent extentFromDistance(const DenseGrid<float>& distanceVoxels, double smoothV
             const double inside = d < 0.0 ? 1.0 : 0.0;
             const bool near = std::abs(d) < farAway;
             extent.index.values[v] = float(near ? coverageFromDistance(d, smoothVoxels, 1.0) : inside);
-            extent.area.values[v] = float(near ? coverageFromDistance(d, 0.0, 1.0) : inside);
+            extent.depth.values[v] = float(depthFromDistance(d));
             extent.boundary.values[v] = std::abs(d) < halfBand ? 255 : 0;
         }
     });

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "common/compose_terms.h"
+#include "common/depth.h"
+#include "common/volume_sampling.h"
 
 namespace eikonal {
 namespace {
@@ -89,6 +91,30 @@ Quantity albedoOf(const Object& object) {
     albedo.constant = object.albedo;
     albedo.given = object.albedo != Object{}.albedo;
     return albedo;
+}
+
+/// Where opaque matter lies over other such, each has its share of the voxel.
+void composeAlbedo(const ObjectLayer& layer, Fields& fields) {
+    const Object& object = *layer.object;
+    Quantity opaque;
+    opaque.constant = glm::dvec3(object.opaque ? 1.0 : 0.0);
+    opaque.given = object.opaque;
+    const Quantity albedo = albedoOf(object);
+    const auto* plane = std::get_if<PlaneShape>(&object.shape);
+    const std::array terms{notNegative("opaque", opaque), notNegative("albedo", albedo)};
+    forCovered(layer, fields.lattice, terms, areaOf(layer),
+               [&](std::size_t voxel, double coverage, const auto& values, const glm::dvec3& local) {
+                   const double added = coverage * std::min(values[0].x, 1.0);
+                   const double kept = (1.0 - coverage) * (1.0 - freeShareAt(fields.opaque, voxel));
+                   const glm::dvec3 color = plane && plane->checker ? checkerAt(*plane->checker, local) : values[1];
+                   glm::vec3& before = fields.albedo.values[voxel];
+                   if (kept + added > 0.0)
+                       before = mixed(before, color, added / (kept + added));
+               });
+}
+
+DenseGrid<float> depthOf(const Extent& extent) {
+    return extent.knowsDistance ? extent.depth : depthFromShares(extent.depth);
 }
 
 /// Values continue into voxels without weight as the mean over the neighbours that have some.
@@ -256,27 +282,19 @@ void composeMedia(const ObjectLayer& layer, Fields& fields) {
 
 void composeOpaque(const ObjectLayer& layer, Fields& fields) {
     const Object& object = *layer.object;
-    if (fields.opaque.empty() && !object.opaque && !layer.grid("opaque"))
+    const DenseGrid<glm::vec3>* grid = layer.grid("opaque");
+    if (fields.opaque.empty() && !object.opaque && !grid)
         return;
-    ensure(fields.opaque, fields.lattice, 0.0f);
+    ensure(fields.opaque, fields.lattice, gpu::kLeastDepth);
     ensure(fields.albedo, fields.lattice, glm::vec3(0.0f));
-    Quantity opaque;
-    opaque.constant = glm::dvec3(object.opaque ? 1.0 : 0.0);
-    opaque.given = object.opaque;
-    const Quantity albedo = albedoOf(object);
-    const auto* plane = std::get_if<PlaneShape>(&object.shape);
-    const std::array terms{notNegative("opaque", opaque), notNegative("albedo", albedo)};
-    forCovered(layer, fields.lattice, terms, areaOf(layer),
-               [&](std::size_t voxel, double coverage, const auto& values, const glm::dvec3& local) {
-                   const double added = coverage * std::min(values[0].x, 1.0);
-                   const glm::dvec3 color = plane && plane->checker ? checkerAt(*plane->checker, local) : values[1];
-                   float& before = fields.opaque.values[voxel];
-                   const double kept = (1.0 - coverage) * double(before);
-                   glm::vec3& mixedAlbedo = fields.albedo.values[voxel];
-                   if (kept + added > 0.0)
-                       mixedAlbedo = mixed(mixedAlbedo, color, added / (kept + added));
-                   before = float(kept + added);
-               });
+    composeAlbedo(layer, fields);
+    const DenseGrid<float> extent = depthOf(layer.extent);
+    if (grid) {
+        const DenseGrid<float> matter = depthFromShares(sharesOf(firstComponent(*grid)));
+        fields.opaque = joined(without(fields.opaque, without(extent, matter)), overlap(extent, matter));
+    } else {
+        fields.opaque = object.opaque ? joined(fields.opaque, extent) : without(fields.opaque, extent);
+    }
 }
 
 void finishFields(Fields& fields) {
@@ -297,7 +315,8 @@ void finishFields(Fields& fields) {
     const auto& tints = fields.reflectionTint.values;
     if (std::all_of(tints.begin(), tints.end(), [](const glm::vec3& tint) { return tint == glm::vec3(1.0f); }))
         fields.reflectionTint = {};
-    if (allZero(fields.opaque)) {
+    const auto& opaque = fields.opaque.values;
+    if (std::all_of(opaque.begin(), opaque.end(), [](float depth) { return depth <= 0.0f; })) {
         fields.opaque = {};
         fields.albedo = {};
     }

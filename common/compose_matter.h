@@ -24,7 +24,7 @@ bool tellsMatterByIndex(const ObjectLayer& layer);
 /// Absorption, scattering with its anisotropy, and emission, by area coverage.
 void composeMedia(const ObjectLayer& layer, Fields& fields);
 
-/// Opaque matter and its albedo, by area coverage; transparent matter takes opaque matter away.
+/// Opaque matter and its albedo; transparent matter takes opaque matter away.
 void composeOpaque(const ObjectLayer& layer, Fields& fields);
 
 /// Grids that hold nothing become empty; anisotropy and albedo continue by a voxel beyond the matter that they belong to,

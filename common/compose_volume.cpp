@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/compose_layer.h"
+#include "common/depth.h"
 #include "common/distance_extension.h"
 #include "common/error.h"
 #include "common/gaussian_blur.h"
@@ -60,12 +61,6 @@ const VdbGrid* findShapeGrid(const VdbFile& file, const VolumeShape& shape, Obje
     return nullptr;
 }
 
-DenseGrid<float> firstComponent(const DenseGrid<glm::vec3>& grid) {
-    DenseGrid<float> result(grid.size, 0.0f);
-    std::transform(grid.values.begin(), grid.values.end(), result.values.begin(), [](const glm::vec3& v) { return v.x; });
-    return result;
-}
-
 Extent levelSetExtent(const PlacedGrid& placed, double scale, double smoothVoxels, const Lattice& lattice) {
     DenseGrid<float> distance = firstComponent(resample(placed, lattice));
     const double voxelsPerUnit = scale / lattice.voxel;
@@ -77,10 +72,8 @@ Extent levelSetExtent(const PlacedGrid& placed, double scale, double smoothVoxel
 
 Extent fogExtent(const PlacedGrid& placed, const Lattice& lattice) {
     Extent extent;
-    extent.area = firstComponent(resample(placed, lattice));
-    for (float& coverage : extent.area.values)
-        coverage = std::clamp(coverage, 0.0f, 1.0f);
-    extent.index = extent.area;
+    extent.depth = sharesOf(firstComponent(resample(placed, lattice)));
+    extent.index = extent.depth;
     return extent;
 }
 
@@ -114,7 +107,7 @@ Extent givenIndexExtent(const PlacedGrid& placed, const ObjectLayer& layer, doub
     includeMatterOfGrids(layer, given.matter);
     Extent extent{boxCoverage(placed, lattice), std::move(given.matter), std::move(given.boundary), true};
     for (std::size_t v = 0; v < extent.index.values.size(); ++v)
-        extent.area.values[v] *= extent.index.values[v];
+        extent.depth.values[v] *= extent.index.values[v];
     return extent;
 }
 
@@ -160,7 +153,7 @@ void fillVolumeLayer(const Scene& scene, const VolumeShape& shape, const Lattice
         layer.extent = givenIndexExtent(PlacedGrid(*ior, world, lattice), layer,
                                         knownSmoothing(file, *ior, object, lattice), lattice);
     else
-        layer.extent.index = layer.extent.area = boxCoverage(PlacedGrid(*any, world, lattice), lattice);
+        layer.extent.index = layer.extent.depth = boxCoverage(PlacedGrid(*any, world, lattice), lattice);
 }
 
 } // namespace eikonal

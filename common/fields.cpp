@@ -30,8 +30,8 @@ Object backgroundOf(const Scene& scene) {
 void warnOf(const ObjectLayer& layer, Fields& fields) {
     for (const std::string& message : layer.warnings)
         fields.warnings.push_back(fmt::format("{}: {}", layer.label, message));
-    const std::vector<float>& area = layer.extent.area.values;
-    if (!area.empty() && std::all_of(area.begin(), area.end(), [](float share) { return share == 0.0f; }))
+    const std::vector<float>& depth = layer.extent.depth.values;
+    if (!depth.empty() && std::all_of(depth.begin(), depth.end(), [](float value) { return value <= 0.0f; }))
         fields.warnings.push_back(fmt::format("{}: no voxel of the domain has any of it: it lies outside, or is too small", layer.label));
 }
 

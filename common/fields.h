@@ -34,7 +34,7 @@ struct Fields {
     DenseGrid<glm::vec3> anisotropyByBand;  ///< g of each band where bands differ, and anisotropy is that farthest from 0;
                                             ///< empty: nowhere
     DenseGrid<glm::vec3> emission;     ///< radiance per scene unit
-    DenseGrid<float> opaque;           ///< area coverage by opaque matter, 0 to 1
+    DenseGrid<float> opaque;           ///< depth in opaque matter: the share of a voxel that it takes follows (common/depth.h)
     DenseGrid<glm::vec3> albedo;       ///< of opaque surfaces; present with opaque
     DenseGrid<glm::vec3> reflectionTint;  ///< factor on what boundaries reflect, in their bands; empty: 1 everywhere
     DenseGrid<float> roughness;        ///< of boundaries, in their bands, 0 smooth; empty: all are smooth

@@ -11,6 +11,7 @@
 #include "common/physics.h"
 #include "common/spectral_fields.h"
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/depth_range.h"
 
 namespace eikonal {
 
@@ -171,7 +172,7 @@ GpuFields::GpuFields(const gpu::Context& context, const Fields& fields, const Ef
         defines_.push_back("ANISOTROPY_BY_BAND");
     }
     add(Effect::kEmission, gpu::kUnitEmission, "emission", fields.emission, {});
-    add(Effect::kOpaque, gpu::kUnitOpaque, "opaque", fields.albedo, fields.opaque);
+    add(Effect::kOpaque, gpu::kUnitOpaque, "opaque", fields.albedo, fields.opaque, gpu::kLeastDepth);
     if (!fields.insets.empty()) {
         insets_.emplace(context, fields, effects);
         defines_.push_back("INSETS");

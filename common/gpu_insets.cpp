@@ -10,6 +10,7 @@
 #include "common/atlas.h"
 #include "common/device_frame.h"
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/depth_range.h"
 
 namespace eikonal {
 
@@ -91,12 +92,14 @@ gpu::Texture3D valueTexture(const gpu::Context& context, const Fields& fields, c
 
 using ExtentTexel = std::array<std::uint16_t, 2>;
 
+/// Area coverage and the band of the boundary. Opaque insets have their depth, as a share of its range, in place of the first.
 std::vector<ExtentTexel> extentTexels(const InsetGrids& grids) {
-    std::vector<ExtentTexel> texels(grids.area.values.size());
+    std::vector<ExtentTexel> texels(grids.depth.values.size());
+    const float least = grids.displaces ? 0.0f : gpu::kLeastDepth, most = grids.displaces ? 1.0f : gpu::kMostDepth;
     for (std::size_t v = 0; v < texels.size(); ++v) {
-        const float area = std::clamp(grids.area.values[v], 0.0f, 1.0f);
+        const float extent = std::clamp((grids.depth.values[v] - least) / (most - least), 0.0f, 1.0f);
         const bool inBand = !grids.boundary.empty() && grids.boundary.values[v] != 0;
-        texels[v] = {std::uint16_t(std::lround(65535.0f * area)), std::uint16_t(inBand ? 65535 : 0)};
+        texels[v] = {std::uint16_t(std::lround(65535.0f * extent)), std::uint16_t(inBand ? 65535 : 0)};
     }
     return texels;
 }

@@ -7,6 +7,7 @@
 
 #include "common/compose_layer.h"
 #include "common/compose_matter.h"
+#include "common/depth.h"
 #include "common/error.h"
 #include "common/object_bounds.h"
 
@@ -154,7 +155,7 @@ void fillOpaque(const ObjectLayer& layer, const Fields& composed, InsetGrids& gr
     const auto* plane = std::get_if<PlaneShape>(&object.shape);
     const bool isPlain = !layer.grid("opaque") && !layer.grid("albedo") && !(plane && plane->checker);
     InsetQuantity& opaque = grids.quantities[gpu::kInsetOpaque];
-    opaque = everywhere(glm::vec4(glm::vec3(object.albedo), object.opaque ? 1.0f : 0.0f));
+    opaque = everywhere(glm::vec4(glm::vec3(object.albedo), 0.0f));
     if (!isPlain)
         opaque.varying = withAlpha(composed.albedo, composed.opaque);
 }
@@ -195,7 +196,7 @@ InsetGrids gridsOf(const Scene& scene, const Object& object, std::size_t index) 
     const Lattice wide = widened(grids.lattice);
     const ObjectLayer layer = layerOf(scene, resting, index, wide);
     const Fields composed = withoutMargin(overNothing(layer, wide), grids.lattice);
-    grids.area = withoutMargin(layer.extent.area);
+    grids.depth = withoutMargin(layer.extent.depth);
     grids.displaces = !object.opaque;
     fillIndex(layer, composed, grids);
     fillMatter(layer, composed, grids);
@@ -203,7 +204,7 @@ InsetGrids gridsOf(const Scene& scene, const Object& object, std::size_t index) 
     if (grids.has(gpu::kInsetCoverage))
         boundIor(withoutMargin(layer.extent.index), composed.ior, grids);
     grids.pyramid = fieldPyramidOf(composed);
-    boundArea(grids.area, grids.pyramid);
+    boundArea(sharesOf(grids.depth), grids.pyramid);
     return grids;
 }
 
@@ -235,7 +236,7 @@ void requireNoOverlap(const Scene& scene, std::size_t earlier, std::size_t later
 } // namespace
 
 std::size_t InsetGrids::bytes() const {
-    std::size_t sum = area.values.size() * sizeof(float) + boundary.values.size() +
+    std::size_t sum = depth.values.size() * sizeof(float) + boundary.values.size() +
                       pyramid.bricks.values.size() * sizeof(FieldBrick);
     for (const InsetQuantity& quantity : quantities)
         sum += quantity.varying.size() * sizeof(glm::vec4);

@@ -22,7 +22,7 @@ struct InsetQuantity {
 struct InsetGrids {
     Lattice lattice;
     std::array<InsetQuantity, gpu::kInsetQuantities> quantities;
-    DenseGrid<float> area;              ///< share of each voxel's cube that it takes
+    DenseGrid<float> depth;             ///< in it, of which the share of each voxel's cube follows (common/depth.h)
     DenseGrid<unsigned char> boundary;  ///< 255 in the band of its boundary; empty: it has none that changes the index
     FieldPyramid pyramid;               ///< of its index times coverage, and its matter; lengths in its own unit
     bool displaces = true;              ///< false: it is opaque, and leaves the matter that it lies over

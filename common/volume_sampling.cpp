@@ -75,6 +75,12 @@ DenseGrid<glm::vec3> resample(const PlacedGrid& placed, const Lattice& lattice) 
     return result;
 }
 
+DenseGrid<float> firstComponent(const DenseGrid<glm::vec3>& grid) {
+    DenseGrid<float> result(grid.size, 0.0f);
+    std::transform(grid.values.begin(), grid.values.end(), result.values.begin(), [](const glm::vec3& v) { return v.x; });
+    return result;
+}
+
 DenseGrid<float> boxCoverage(const PlacedGrid& placed, const Lattice& lattice) {
     DenseGrid<float> result(lattice.size, 0.0f);
     forEachVoxel(lattice, placed, [&](int i, int j, int k, const glm::dvec3& p) {

@@ -19,6 +19,9 @@ struct PlacedGrid {
 /// outermost centres the edge's values hold; farther out the grid's background.
 DenseGrid<glm::vec3> resample(const PlacedGrid& placed, const Lattice& lattice);
 
+/// Of what is the same in all three bands.
+DenseGrid<float> firstComponent(const DenseGrid<glm::vec3>& grid);
+
 /// 1 where a voxel's centre lies in the grid's active box, to the outer edges of its voxels; 0 elsewhere.
 DenseGrid<float> boxCoverage(const PlacedGrid& placed, const Lattice& lattice);
 

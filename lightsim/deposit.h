@@ -18,7 +18,7 @@ public:
     virtual void clear() = 0;
     /// Adds the last step of every live patch.
     virtual void add(const Wavefront& wavefront) const = 0;
-    /// Writes the slab's layers of the grids. `opaque` is empty or the coverage by opaque matter: light is in the rest of
+    /// Writes the slab's layers of the grids. `opaque` is empty or the depth in opaque matter: light is in the rest of
     /// the voxel.
     virtual void read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const = 0;
     virtual std::size_t bytes() const = 0;

@@ -1,5 +1,6 @@
 #include "lightsim/error_estimate.h"
 
+#include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
@@ -48,7 +49,7 @@ glm::vec3 secondDifferences(const Grid& grid, const DenseGrid<float>& opaque, co
         glm::ivec3 before = voxel, after = voxel;
         --before[axis];
         ++after[axis];
-        const bool isFree = opaque.empty() || opaque.at(before) + opaque.at(voxel) + opaque.at(after) == 0.0f;
+        const bool isFree = opaque.empty() || std::max({opaque.at(before), opaque.at(voxel), opaque.at(after)}) <= 0.0f;
         if (isFree) sum += grid.at(before) - 2.0f * grid.at(voxel) + grid.at(after);
     }
     return sum;

@@ -8,6 +8,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include "common/depth.h"
 #include "lightsim/light_sums.h"
 #include "shaders/shared/bake_blocks.h"
 
@@ -133,7 +134,7 @@ glm::dvec3 integral(const DenseGrid<glm::vec3>& sigma, const Fields& fields, Vox
                 const auto moments = mean == VoxelMean::kCube ? cubeMoments(sigma, j, k) : std::vector<CubeMoments>();
                 for (int i = 0; i < sigma.size.x; ++i) {
                     const glm::ivec3 voxel(i, j, k);
-                    const double freeShare = fields.opaque.empty() ? 1.0 : 1.0 - fields.opaque.at(voxel);
+                    const double freeShare = freeShareAt(fields.opaque, sigma.offset(i, j, k));
                     sum += freeShare * (mean == VoxelMean::kCube
                                             ? meanProduct(moments[i], light.irradiance, voxel)
                                             : glm::dvec3(sigma.at(voxel)) * glm::dvec3(light.irradiance.at(voxel)));

@@ -30,7 +30,7 @@ public:
     virtual void propagate(int begin, int end, const std::function<void(double fraction)>& progress) = 0;
     /// Propagates all light again, into bins of direction; counts and ledger as those of propagate.
     virtual void propagateInto(const LobeBins& bins, const std::function<void(double fraction)>& progress) = 0;
-    /// Writes the slab's layers of the grids. `opaque` is empty or the coverage by opaque matter: light is in the rest of
+    /// Writes the slab's layers of the grids. `opaque` is empty or the depth in opaque matter: light is in the rest of
     /// the voxel.
     virtual void read(const DenseGrid<float>& opaque, BakedLight& light) const = 0;
     /// Of the last propagation.

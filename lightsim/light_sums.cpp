@@ -4,6 +4,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "common/depth.h"
+
 namespace eikonal::bake {
 
 namespace {
@@ -63,7 +65,7 @@ void LightSums::read(const BakeSettings& settings, const DenseGrid<float>& opaqu
         return fixedPointValue(words[2 * i], words[2 * i + 1]);
     };
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
-        const double freeShare = opaque.empty() ? 1.0 : 1.0 - opaque.values[first + i];
+        const double freeShare = freeShareAt(opaque, first + i);
         glm::dvec3 sums(sumOf(power[0], i));
         double total = sums.x;
         if (bands_ == 3) {

@@ -19,7 +19,7 @@ public:
     void clear();
     void bind() const override;
     bool areLobes() const override { return false; }
-    /// Writes the layers [slabBegin, slabEnd) of the grids. `opaque` is empty or the coverage by opaque matter: light is in
+    /// Writes the layers [slabBegin, slabEnd) of the grids. `opaque` is empty or the depth in opaque matter: light is in
     /// the rest of the voxel.
     void read(const BakeSettings& settings, const DenseGrid<float>& opaque, BakedLight& light) const;
     std::size_t bytes() const;

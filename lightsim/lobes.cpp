@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "common/depth.h"
 #include "common/physics.h"
 
 namespace eikonal::bake {
@@ -48,7 +49,7 @@ glm::ivec3 indexOf(std::size_t voxel, const glm::ivec3& size) {
 std::vector<double> depositedUnits(std::span<const std::uint32_t> voxels, const BakedLight& light, const LobePlan& plan) {
     std::vector<double> units;
     for (const std::uint32_t voxel : voxels) {
-        const double free = plan.fields.opaque.empty() ? 1.0 : 1.0 - plan.fields.opaque.values[voxel];
+        const double free = freeShareAt(plan.fields.opaque, voxel);
         units.push_back(overBands(light.irradiance.values[voxel]) * free / (plan.depositUnit * (plan.bands == 3 ? 1.0 : 3.0)));
     }
     return units;

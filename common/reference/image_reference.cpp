@@ -25,11 +25,11 @@ private:
 };
 
 /// shaders/physics/surface_normal.glsl over a field of the reference.
-class CoverageIn {
+class DepthIn {
 public:
-    explicit CoverageIn(const reference::GridField& field) : field_(field) {}
+    explicit DepthIn(const reference::GridField& field) : field_(field) {}
 
-    real coverageAt(const real3& x) const { return field_.coverage(x); }
+    real depthAt(const real3& x) const { return field_.opaqueDepth(x); }
 #include "shaders/physics/surface_normal.glsl"
 
 private:
@@ -44,7 +44,7 @@ namespace eikonal::reference {
 
 namespace {
 
-constexpr double kSolid = 0.5;  // coverage at which matter begins
+constexpr double kSolid = 0.5;  // depth at which matter begins
 
 /// One ray under way and all that it has met.
 class Walk {
@@ -70,7 +70,7 @@ private:
     glm::dvec3 fluxOnto(const glm::dvec3& x, const glm::dvec3& normal) const;
     glm::dvec3 surfaceRadiance(const glm::dvec3& x, const glm::dvec3& direction) const;
 
-    bool solid(const glm::dvec3& x) const { return field_.coverage(x) >= kSolid; }
+    bool solid(const glm::dvec3& x) const { return field_.opaqueDepth(x) >= kSolid; }
     glm::dvec3 direction() const { return glm::normalize(ray_.w); }
     double toFace() const {
         return f64::distanceToExit(ray_.x, direction(), field_.lattice().min, field_.lattice().max());
@@ -241,11 +241,8 @@ bool Walk::step() {
     return !hit && !leaves;
 }
 
-/// Outward normal from the coverage around; on a cut face of the matter, where that is flat, towards the eye.
 glm::dvec3 normalOf(const GridField& field, const glm::dvec3& x, const glm::dvec3& direction) {
-    const glm::dvec3 gradient = f64::CoverageIn(field).coverageGradient(x, field.lattice().voxel);
-    const double magnitude = glm::length(gradient);
-    return magnitude > 1e-4 ? -gradient / magnitude : -direction;
+    return f64::DepthIn(field).outwardNormal(x, field.lattice().voxel, direction);
 }
 
 /// Power per unit area of a surface: the bake's flux about x, each voxel weighing by its free share, against the normal.
@@ -259,7 +256,7 @@ glm::dvec3 Walk::fluxOnto(const glm::dvec3& x, const glm::dvec3& normal) const {
         const glm::dvec3 upper(corner & 1, (corner >> 1) & 1, corner >> 2);
         const glm::dvec3 share = glm::mix(1.0 - (position - base), position - base, upper);
         const glm::ivec3 voxel = glm::clamp(glm::ivec3(base + upper), glm::ivec3(0), light.lattice.size - 1);
-        const double free = 1.0 - glm::clamp(field_.coverage(light.lattice.worldFromIndex(voxel)), 0.0, 1.0);
+        const double free = 1.0 - f64::shareOfDepth(field_.opaqueDepth(light.lattice.worldFromIndex(voxel)));
         const double weight = share.x * share.y * share.z * free;
         const glm::dvec3 held = weight * glm::dvec3(light.irradiance.at(voxel));
         irradiance += held;

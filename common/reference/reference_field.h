@@ -64,8 +64,8 @@ public:
     glm::dvec3 anisotropy(const glm::dvec3& x) const {
         return fields_.anisotropyByBand.empty() ? glm::dvec3(share(fields_.anisotropy, x)) : matter(fields_.anisotropyByBand, x);
     }
-    /// Area coverage by opaque matter.
-    double coverage(const glm::dvec3& x) const { return share(fields_.opaque, x); }
+    /// Depth in opaque matter (shaders/physics/depth.glsl); 0 where there is none at all.
+    double opaqueDepth(const glm::dvec3& x) const { return share(fields_.opaque, x); }
     const Lattice& lattice() const { return fields_.lattice; }
 
 private:

@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "common/depth.h"
 #include "common/field_pyramid.h"
 
 namespace eikonal::bake {
@@ -14,7 +15,11 @@ namespace {
 // A glass of index 1.5 turns rays at its boundary, three voxels wide, by up to 0.2 a voxel; one of 1.02 by 0.01.
 constexpr float kTurn = 0.01f;      // [rad per voxel of path]: second difference, from one voxel to the next
 constexpr float kDepth = 0.02f;     // optical depth per voxel of path
-constexpr float kCoverage = 0.05f;  // of a voxel by opaque matter
+constexpr double kCoverage = 0.05;  // of a voxel by opaque matter
+
+double freeShare(const Fields& fields, const glm::ivec3& voxel) {
+    return freeShareAt(fields.opaque, fields.opaque.offset(voxel.x, voxel.y, voxel.z));
+}
 
 /// Whether anything changes along an axis, in voxel `at` and the neighbours `low` and `high` of it.
 bool changesAlong(const Fields& fields, const glm::ivec3& low, const glm::ivec3& at, const glm::ivec3& high) {
@@ -31,7 +36,7 @@ bool changesAlong(const Fields& fields, const glm::ivec3& low, const glm::ivec3&
         }
     }
     return changes(fields.sigmaA) || changes(fields.sigmaS) ||
-           (!fields.opaque.empty() && std::abs(fields.opaque.at(high) - fields.opaque.at(at)) > kCoverage);
+           std::abs(freeShare(fields, high) - freeShare(fields, at)) > kCoverage;
 }
 
 bool isDetailed(const Fields& fields, const glm::ivec3& voxel) {

@@ -1,5 +1,6 @@
 // The optical constants of the scene at a world position. Only what an effect asks for has a texture.
 #include "fields/trilinear.glsl"
+#include "physics/depth.glsl"
 #include "physics/dispersion.glsl"
 #include "shared/brick.h"
 #include "shared/domain_block.h"
@@ -193,7 +194,7 @@ vec3 sampleEmission(vec3 x) {
 #ifdef EFFECT_OPAQUE
 layout(binding = kUnitOpaque) uniform sampler3D opaqueGrid;
 
-// Albedo in rgb, coverage by opaque matter in alpha.
+// Albedo in rgb, depth in opaque matter in alpha.
 vec4 sampleOpaque(vec3 x) {
     return opaqueOverDomain(x, sampleGrid(opaqueGrid, x));
 }

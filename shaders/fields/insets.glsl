@@ -1,6 +1,7 @@
 // Objects with lattices of their own over the domain's grids, in the scene's order: what compose_matter.cpp does voxel by
 // voxel is done here at a position, with values interpolated on each object's lattice.
 #include "physics/composition.glsl"
+#include "shared/depth_range.h"
 #include "shared/inset_blocks.h"
 
 layout(binding = kUnitInsetValues) uniform sampler3D insetValues;
@@ -100,7 +101,8 @@ ivec3 extentFirstOf(Inset inset) {
     return ivec3(rowOf(inset.number, kInsetExtentRow).xyz);
 }
 
-float sampleArea(Inset inset, vec3 place) {
+// The area coverage; of an opaque inset its depth, as a share of the range that depths have.
+float sampleExtent(Inset inset, vec3 place) {
     return sampleTrilinear(insetExtents, (vec3(extentFirstOf(inset)) + betweenCentres(inset, place)) * insetExtentScale).r;
 }
 
@@ -171,7 +173,7 @@ vec3 matterOverDomain(vec3 x, vec3 below, int quantity) {
         Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
         if (displaces(inset, place)) {
-            float area = sampleArea(inset, place);
+            float area = sampleExtent(inset, place);
             below = (1.0 - area) * below + sampleOwn(inset, quantity, place, vec4(area)).rgb;
         }
     }
@@ -188,7 +190,7 @@ vec4 scatteringOverDomain(vec3 x, vec4 below) {
         Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
         if (displaces(inset, place)) {
-            float area = sampleArea(inset, place);
+            float area = sampleExtent(inset, place);
             vec4 own = sampleOwn(inset, kInsetScattering, place, vec4(vec3(area), 1.0));
             vec3 kept = (1.0 - area) * below.rgb;
             float sum = meanOf(kept) + meanOf(own.rgb);
@@ -220,16 +222,30 @@ vec3 anisotropyOverDomain(vec3 x, vec3 below, vec3 scattering) {
 }
 #endif
 
-// Albedo in rgb, coverage by opaque matter in alpha, which transparent matter takes away.
+// Albedo in rgb, depth in opaque matter in alpha, of what the object has in its extent.
+vec4 sampleOwnOpaque(Inset inset, vec3 place, float extent) {
+    InsetBox box = boxOf(inset, kInsetOpaque);
+    vec4 plain = vec4(everywhereOf(inset, kInsetOpaque).rgb, inset.displaces ? kLeastDepth : extent);
+    return box.varies ? sampleBox(inset, box, place) : plain;
+}
+
+// Albedo in rgb, depth in opaque matter in alpha, which transparent matter takes away. How two bodies' surfaces lie to each
+// other is not known at a place: as if across.
 vec4 opaqueOverDomain(vec3 x, vec4 below) {
+    const float kAcross = 0.0;
     for (uint left = insetsAbout(x); left != 0u; left &= left - 1u) {
         Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
         if (liesWithin(inset, place)) {
-            float area = sampleArea(inset, place);
-            vec4 own = sampleOwn(inset, kInsetOpaque, place, vec4(1.0, 1.0, 1.0, area));
-            float sum = (1.0 - area) * below.a + own.a;
-            below = vec4(sum > 0.0 ? mix(below.rgb, own.rgb, own.a / sum) : below.rgb, sum);
+            float extent = sampleExtent(inset, place);
+            extent = inset.displaces ? extent : mix(kLeastDepth, kMostDepth, extent);
+            vec4 own = sampleOwnOpaque(inset, place, extent);
+            float area = shareOfDepth(extent);
+            float added = shareOfDepth(own.a);
+            float sum = (1.0 - area) * shareOfDepth(below.a) + added;
+            float transparent = area - added;
+            float kept = transparent > 0.0 ? min(below.a, 1.0 - transparent) : below.a;
+            below = vec4(sum > 0.0 ? mix(below.rgb, own.rgb, added / sum) : below.rgb, joinedDepth(kept, own.a, kAcross));
         }
     }
     return below;

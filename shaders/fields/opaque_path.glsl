@@ -1,4 +1,4 @@
-// Where a path of two straight pieces meets opaque matter: where its coverage crosses one half.
+// Where a path of two straight pieces meets opaque matter: where its depth crosses one half.
 
 const float kSolid = 0.5;
 const int kBisections = 12;

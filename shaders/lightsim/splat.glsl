@@ -6,7 +6,7 @@
 // Share of a voxel that light can be in.
 float freeShare(ivec3 voxel) {
 #ifdef EFFECT_OPAQUE
-    return 1.0 - texelFetch(opaqueGrid, voxel, 0).a;
+    return 1.0 - shareOfDepth(texelFetch(opaqueGrid, voxel, 0).a);
 #else
     return 1.0;
 #endif

@@ -7,18 +7,11 @@
 
 #ifdef EFFECT_OPAQUE
 
-float coverageAt(vec3 x) {
+float depthAt(vec3 x) {
     return sampleOpaque(x).a;
 }
 
 #include "physics/surface_normal.glsl"
-
-// Outward normal from the coverage around x; where that is flat, on a cut face of the matter, towards the eye.
-vec3 surfaceNormal(vec3 x, vec3 direction) {
-    vec3 gradient = coverageGradient(x, voxelAt(x));
-    float magnitude = length(gradient);
-    return magnitude > 1e-4 ? -gradient / magnitude : -direction;
-}
 
 // Mean radiance of the environment over the hemisphere of a normal, weighted by the cosine: a blend of the values about
 // the axes. Nothing shades it.
@@ -44,7 +37,7 @@ vec3 surfaceRadiance(vec3 x, vec3 normal) {
 vec3 normalAtEnd(RayState ray) {
 #ifdef EFFECT_OPAQUE
     if (ray.status == kHitOpaque) {
-        return surfaceNormal(ray.x, unitDirection(ray));
+        return outwardNormal(ray.x, voxelAt(ray.x), unitDirection(ray));
     }
 #endif
     return vec3(0.0);

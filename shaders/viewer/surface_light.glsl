@@ -6,7 +6,7 @@
 #if defined(EFFECT_OPAQUE) && defined(BAKED_LIGHT)
 
 float freeShare(vec3 x) {
-    return 1.0 - clamp(sampleOpaque(x).a, 0.0, 1.0);
+    return 1.0 - shareOfDepth(sampleOpaque(x).a);
 }
 
 // Power per unit area of the surface, by band: |F·n| of the flux against the outward normal.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/depth.h"
 #include "common/fields.h"
 #include "tests/common/scene_text.h"
 
@@ -191,9 +192,10 @@ TEST(Fields, OpaqueMatterLeavesTheIndexAndGlassTakesItAway) {
     const Fields fields = fieldsOf("[domain]\nresolution = 20\nior = 1.33\n[[object]]\nshape = \"plane\"\nsize = [4, 4]\n"
                                    "opaque = true\nchecker = [[1, 0, 0], [0, 0, 1], 0.5]\n[[object]]\nradius = 0.5\n"
                                    "ior = 1.5\n");
-    EXPECT_EQ(fields.opaque.at(1, 5, 1), 1.0f);
-    EXPECT_EQ(fields.opaque.at(1, 15, 1), 0.0f);
-    EXPECT_EQ(fields.opaque.at(10, 9, 10), 0.0f);             // in the ball
+    const auto freeShare = [&](int i, int j, int k) { return freeShareAt(fields.opaque, fields.opaque.offset(i, j, k)); };
+    EXPECT_EQ(freeShare(1, 5, 1), 0.0);
+    EXPECT_EQ(freeShare(1, 15, 1), 1.0);
+    EXPECT_EQ(freeShare(10, 9, 10), 1.0);                     // in the ball
     EXPECT_NEAR(fields.ior.at(1, 5, 1), 1.33, 1e-6);
     EXPECT_EQ(fields.albedo.at(1, 5, 1), glm::vec3(1.0f, 0.0f, 0.0f));  // cells (-2, -2): even
     EXPECT_EQ(fields.albedo.at(1, 5, 6), glm::vec3(0.0f, 0.0f, 1.0f));  // cells (-2, -1): odd

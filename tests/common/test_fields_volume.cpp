@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "common/depth.h"
 #include "common/fields.h"
 #include "common/mesh_generate.h"
 #include "common/vdb_io.h"
@@ -64,6 +65,16 @@ TEST_F(FieldsOfFiles, GivenIndexOnTheDomainsLatticeIsCopiedToTheBit) {
     EXPECT_EQ(own.ior.values, ior.values);
     EXPECT_EQ(bare.lights.size(), 1u);
     EXPECT_EQ(loadScene(folder_ / "v.vdb", {"camera.fov=20"}).camera.fov, 20.0);
+}
+
+TEST_F(FieldsOfFiles, OpaqueGridIsMatterWithoutAnObjectsDistance) {
+    const DenseGrid<float> half = gridOf(kLattice, [](const glm::dvec3& p) { return p.x < 0.0 ? 1.0 : 0.0; });
+    write("v.vdb", kLattice, {{"opaque", &half, glm::vec3(0.0f), VdbClass::kUnknown}});
+    const Fields alone = fields("[domain]\nresolution = 32\n[[object]]\nvolume = \"v.vdb\"\n");
+    EXPECT_EQ(alone.opaque.at(3, 16, 16), gpu::kMostDepth);
+    EXPECT_EQ(alone.opaque.at(15, 16, 16), 1.0f);
+    EXPECT_EQ(alone.opaque.at(16, 16, 16), 0.0f);
+    EXPECT_EQ(alone.opaque.at(28, 16, 16), gpu::kLeastDepth);
 }
 
 TEST_F(FieldsOfFiles, LinearIndexSurvivesResampling) {

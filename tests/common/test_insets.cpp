@@ -73,7 +73,7 @@ TEST(Insets, AreComposedAloneWhereverTheyLie) {
     const InsetGrids &a = *here.insets[0].grids, &b = *there.insets[0].grids;
     EXPECT_EQ(a.lattice, b.lattice);
     EXPECT_EQ(a.quantities[gpu::kInsetCoverage].varying, b.quantities[gpu::kInsetCoverage].varying);
-    EXPECT_EQ(a.area.values, b.area.values);
+    EXPECT_EQ(a.depth.values, b.depth.values);
     EXPECT_TRUE(a.quantities[gpu::kInsetIndex].varying.empty()) << "the same index everywhere needs no grid";
     EXPECT_TRUE(here.iorGradient.empty()) << "nor is it on the domain's lattice";
 }

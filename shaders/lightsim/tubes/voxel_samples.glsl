@@ -5,7 +5,7 @@
 #include "fields/fields.glsl"
 
 float freeShareOf(ivec3 voxel) {
-    return 1.0 - texelFetch(opaqueGrid, voxel, 0).a;
+    return 1.0 - shareOfDepth(texelFetch(opaqueGrid, voxel, 0).a);
 }
 
 bool isCut(ivec3 voxel) {
