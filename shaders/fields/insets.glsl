@@ -208,7 +208,7 @@ vec3 anisotropyOverDomain(vec3 x, vec3 below, vec3 scattering) {
         Inset inset = insetOf(findLSB(left));
         vec3 place = placeIn(inset, x);
         if (displaces(inset, place)) {
-            float area = sampleArea(inset, place);
+            float area = sampleExtent(inset, place);
             vec4 own = sampleOwn(inset, kInsetScattering, place, vec4(vec3(area), 1.0));
             bool differs = everywhereOf(inset, kInsetAnisotropy).a > 0.0;
             vec3 g = differs ? sampleOwn(inset, kInsetAnisotropy, place, vec4(1.0)).rgb : vec3(own.a);
