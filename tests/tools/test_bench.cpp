@@ -31,17 +31,20 @@ const char* const kScene = "[domain]\nresolution = 24\n"
                            "[[light]]\ndirection = [0.2, -1, 0]\n"
                            "[render]\nsize = [16, 12]\n";
 
-TEST(Bench, SpeedGivesThreeRatesAndTheirShares) {
+TEST(Bench, SpeedGivesRatesAndTheirShares) {
     const test::TemporaryFolder folder;
     const auto run = test::runEikonal({"bench", "speed", folder.write("s.toml", kScene), "--repeats", "1"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const Table table = tableOf(run.out);
-    ASSERT_EQ(table.size(), 4u) << run.out;
+    ASSERT_EQ(table.size(), 5u) << run.out;
     EXPECT_EQ(table[0], (std::vector<std::string>{"kernel", "fetches", "seconds", "million_per_second", "share"}));
     EXPECT_EQ(table[1][0], "dependent_fetches");
     EXPECT_EQ(std::stod(table[1][4]), 1.0);
     EXPECT_GT(std::stod(table[2][1]), std::stod(table[3][1])) << "flights fetch less than steps through everything";
     EXPECT_GT(std::stod(table[3][1]), 0.0);
+    EXPECT_EQ(table[4][0], "image");
+    // The same rays, but for where in their pixels they begin.
+    EXPECT_NEAR(std::stod(table[4][1]), std::stod(table[3][1]), 0.05 * std::stod(table[3][1]));
 }
 
 TEST(Bench, SpeedWritesATableAndBars) {
@@ -51,10 +54,10 @@ TEST(Bench, SpeedWritesATableAndBars) {
     ASSERT_EQ(run.exitCode, 0) << run.err;
     EXPECT_EQ(run.out, "");
     const Table table = tableOf(test::readText(folder.file("speed.csv")));
-    ASSERT_EQ(table.size(), 4u);
+    ASSERT_EQ(table.size(), 5u);
     const std::string svg = test::readText(folder.file("speed.svg"));
     EXPECT_EQ(svg.rfind("<svg ", 0), 0u);
-    for (const char* bar : {"fetches alone", "every step", "with flights"}) EXPECT_NE(svg.find(bar), std::string::npos) << bar;
+    for (const char* bar : {"fetches alone", "every step", "with flights", "whole image"}) EXPECT_NE(svg.find(bar), std::string::npos) << bar;
 }
 
 TEST(Bench, SpeedNeedsAnIndexThatVaries) {
